@@ -1,9 +1,11 @@
-//! Items that ordinary programs do not call: for constraints and laws written by hand, for
-//! comparing derivatives term by term, and for the code that `#[constraint]` emits.
+//! Items for constraints and laws written by hand, which ordinary programs do not call.
 //!
-//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint); what it sees is in
-//! [`state`], the bodies that it acts on in [`coordinates`]. A law by hand is an `impl` of
-//! [`LawFunction`].
+//! The module also serves the comparison of derivatives term by term and the code that
+//! `#[constraint]` emits.
+//!
+//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint). [`state`] describes the
+//! values that a constraint reads; [`coordinates`] describes the bodies that it acts on. A law by
+//! hand is an `impl` of [`LawFunction`].
 
 #[doc(inline)]
 pub use crate::model::constraint::{
@@ -25,20 +27,20 @@ pub use crate::numbers::lanes::Lanes;
 #[doc(inline)]
 pub use crate::numbers::real::{Dual, Real};
 
-/// Culprits where a term of a constraint is infinite or not a number.
+/// Finds the expressions and parameters that make a term of a constraint infinite or not a number.
 pub mod blame {
     #[doc(inline)]
     pub use crate::model::blame::*;
 }
 
-/// Handles: what a mechanism gives out for its bodies and coordinates, and what constraints hold of
-/// them.
+/// Handles that a mechanism returns for its bodies and coordinates, and the arguments that
+/// constraints store for them.
 pub mod coordinates {
     #[doc(inline)]
     pub use crate::model::coordinates::*;
 }
 
-/// The second route: a constraint's own equation, evaluated with dual numbers.
+/// The dual route: evaluates the equation of a constraint with dual numbers.
 pub mod dual_route {
     #[doc(inline)]
     pub use crate::model::dual_route::*;
@@ -50,7 +52,7 @@ pub mod real {
     pub use crate::numbers::real::*;
 }
 
-/// The view of a constraint: the state of its arguments at one instant.
+/// The state of the arguments of a constraint at one instant.
 pub mod state {
     #[doc(inline)]
     pub use crate::model::state::*;

@@ -73,7 +73,7 @@ pub mod dimension {
     };
 }
 
-/// Handles and arguments of a [`Mechanism`](crate::Mechanism).
+/// Handles and arguments of a [`crate::Mechanism`].
 pub mod mechanism {
     pub use crate::model::body::Body;
     pub use crate::model::coordinates::{
@@ -85,7 +85,7 @@ pub mod mechanism {
     };
 }
 
-/// Options and questions of a [`Solver`](crate::Solver): stop rules, searches, assemblies, sweeps.
+/// Options and questions of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
 pub mod solver {
     pub use crate::ask::solver::At;
     pub use crate::solve::assembly::{
@@ -96,10 +96,11 @@ pub mod solver {
     pub use crate::solve::sweep::Sweep;
 }
 
-/// Parts of a [`Motion`](crate::Motion), and answers about one: quantities, events, extremes,
+/// Parts of a [`crate::Motion`], and answers about one: quantities, events, extremes,
 /// proofs.
 pub mod results {
     pub use crate::ask::measure::{Crossing, Extreme, Extremes, Measure};
+    pub use crate::ask::proof;
     pub use crate::ask::proof::{Proof, StepProof, Tube, Unproved, UnprovedReason};
     pub use crate::model::units::Units;
     pub use crate::solve::follow::{Branch, SingularKind, SingularPosition};

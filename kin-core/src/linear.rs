@@ -1,13 +1,17 @@
-//! The linear solver: a square matrix of fixed pattern comes in as values, solutions go out.
-//! Nothing else of Kin eliminates.
+//! The linear solver: a square matrix of fixed pattern. Callers write values and a right side, and
+//! read the solution. No other module of Kin eliminates sparse matrices.
 //!
-//! The elimination is recorded once, at real numbers, and then replayed as flat code ([`code`]) on
-//! one memory: values, right side and solution stand in it, so constraints write straight into it.
-//! Each pivot is measured by the largest entries that its row and its column have had so far,
-//! lengths in units of the model's own length: so the verdict "singular" does not depend on units
-//! (mm, m or km), and a row that fades on the way to a toggle is seen to fade. A replay is watched:
-//! where pivots fade or multipliers grow, the elimination is recorded anew at the numbers of that
-//! moment. The measures only choose and judge pivots, they never touch the numbers.
+//! The elimination is recorded once at real numbers and then replayed as flat code ([`code`]) on
+//! one memory. The memory contains values, right side and solution, so constraints write directly
+//! into it.
+//!
+//! A pivot is scaled by the largest entries that its row and its column have had so far, with
+//! lengths in units of the model's length. So the verdict "singular" does not depend on units (mm,
+//! m or km), and a row that fades towards a toggle is detected. The scales only select and judge
+//! pivots; they do not change the numbers.
+//!
+//! Each replay is checked. If pivots fade or multipliers grow, the elimination is recorded again at
+//! the present numbers.
 
 mod condition;
 mod dense;
@@ -29,88 +33,96 @@ use crate::numbers::padded::{self, Padded, Quad};
 pub(crate) use least_squares::LeastSquares;
 use recorded::record::{Factored, Input, Places, Recording};
 
-/// A pivot below this measure is zero; the rounding of an elimination of moderate size stays
-/// below.   \[-\]
+/// A scaled pivot below this value is zero; rounding of an elimination of moderate size stays
+/// below. \[-\]
 const SINGULAR: f64 = 1e-13;
 
-/// A condition number, by the measures of rows and columns, above which a matrix counts as
-/// singular.   \[-\]
+/// A matrix with a scaled condition number above this value counts as singular. \[-\]
 const CONDITION: f64 = 3e12;
 
-/// Multipliers of a replay may grow to this; a new recording keeps them below 10.   \[-\]
+/// The largest multiplier of a replay. A new recording keeps multipliers below 10. \[-\]
 const GROWTH: f64 = 30.0;
 
-/// Where cells of the elimination have grown beyond this, solutions are refined; of mechanisms none
-/// has been seen to need it.   \[-\]
+/// If entries of the elimination grow beyond this factor, solutions are refined. No mechanism has
+/// needed it so far. \[-\]
 const REFINED: f64 = 100.0;
 
-/// The smallest pivot may fade to this share of what it has been since the recording.   \[-\]
+/// The smallest pivot may fade to this share of its largest value since the recording. \[-\]
 const FADED: f64 = 0.01;
 
-/// Rows and columns are measured anew where a value has grown by this.   \[-\]
+/// If a value grows by this factor, rows and columns are scaled again. \[-\]
 const SLACK: f64 = 1.25;
 
-/// Below this a pivot may be judged by a recording only that has seen one like it.   \[-\]
+/// A pivot below this value may be judged only by a recording that has seen a pivot of this size.
+/// \[-\]
 const SUSPICIOUS: f64 = 1e-6;
 
-/// A square matrix of fixed pattern, its recorded elimination, and the memory that both work in.
+/// A square matrix of fixed pattern, its recorded elimination, and the memory of both.
 #[derive(Clone)]
 pub(crate) struct Linear {
+    /// The number of rows and columns.
     n: usize,
-    /// Row and column of each value; `None` for what stands on the ground.
+    /// The row and column of each value; `None` for values of the ground, which belong to no entry.
     entries: Arc<[Option<(u32, u32)>]>,
-    /// Values in the order of rows, then of columns.
+    /// The indices of the values, sorted by rows, then by columns.
     sorted: Arc<[u32]>,
-    /// Values that never change; `None` for those that can.
+    /// For each value its number if it is constant, otherwise `None`.
     constants: Arc<[Option<f64>]>,
-    /// Values, right side, solution, then what the programs compute.
+    /// The values, the right side, the solution, then the numbers that the programs compute.
     memory: Vec<f64>,
+    /// The places of right side, solution and constants in the memory.
     places: Places,
     /// s_j, the characteristic size of unknown j.
     sizes: Vec<f64>,
-    /// max_j |a_ij| s_j of each row, the largest so far.
+    /// For each row the largest max_j |a_ij| s_j so far.
     norms: Vec<f64>,
-    /// max_i |a_ij| s_j / norm_i of each column, the largest so far.
+    /// For each column the largest max_i |a_ij| s_j / norm_i so far.
     tops: Vec<f64>,
-    /// Both as they were when they were last confirmed, where they have grown since.
+    /// `norms` and `tops` at their last confirmation, if they have grown since.
     confirmed: [Vec<f64>; 2],
+    /// True if `norms` or `tops` have grown since their last confirmation.
     provisional: bool,
+    /// True if a column is so small that only the rank of the whole matrix distinguishes it from
+    /// zero.
     faint: bool,
-    /// 1 / norm_i, and s_j / top_j.
+    /// 1 / norm_i of each row.
     row_units: Padded,
+    /// s_j / top_j of each column.
     column_units: Vec<f64>,
-    /// A value above its limit is not finite, or its row and column are to be measured anew;
-    /// infinite on the ground.
+    /// For each value its limit. A value above its limit is not finite, or its row and column must
+    /// be scaled again. The limit is infinite for values of the ground.
     limits: Padded,
+    /// The recorded elimination; `None` before the first one.
     recording: Option<Arc<Recording>>,
-    /// The factors that make each factored number one of order 1, by the measures, in the order of
-    /// the memory.
+    /// For each factored number the factor that scales it to order 1, in the order of the memory.
     weights: Padded,
-    /// Bounds of multipliers and other factored numbers.
+    /// The bounds of multipliers and other factored numbers, in the order of the memory.
     bounds: Padded,
-    /// True if the recording's weights agree with the present measures.
+    /// True if the recording's weights agree with the present scales.
     weighted: bool,
-    /// True if there is nothing to compute and nothing to judge until the measures change: all
-    /// pivots are constants.
+    /// True if nothing must be computed or judged until the scales change: all pivots are
+    /// constants.
     settled: bool,
-    /// The smallest constant pivot, and the smallest of all at the last factoring.
+    /// The smallest constant pivot.
     smallest_constant: f64,
+    /// The smallest pivot at the last factoring.
     smallest: f64,
-    /// True if a multiplier, or another number, has grown beyond its bound at the last factoring.
+    /// True if a multiplier or another number exceeded its bound at the last factoring.
     grown: bool,
+    /// True if solutions are refined.
     refined: bool,
-    /// The largest that `smallest` has been since the recording.
+    /// The largest value of `smallest` since the recording.
     best: f64,
-    /// Right side and solution while they are refined.
+    /// A buffer for right side and solution during refinement.
     known: Vec<f64>,
-    /// How many times the elimination has been recorded.
+    /// The number of recordings.
     recordings: usize,
 }
 
 impl Linear {
-    /// An n × n matrix with one value for each (row, column) of the pattern, in its order; repeated
-    /// places add up, `None` stands nowhere. Values that are the same for good may be given in
-    /// `constants`, in the same order.
+    /// Creates an n × n matrix with one value for each (row, column) of the pattern, in its order.
+    /// Repeated entries add up; `None` belongs to no entry. `constants` contains the constant
+    /// values in the same order.
     pub(crate) fn new(
         n: usize,
         pattern: impl IntoIterator<Item = Option<(usize, usize)>>,
@@ -130,7 +142,7 @@ impl Linear {
             .zip(entries.iter())
             .filter(|(_, entry)| entry.is_none())
             .for_each(|(limit, _)| *limit = f64::INFINITY);
-        // Values, right side and solution begin at whole fours.
+        // Values, right side and solution begin at multiples of four.
         let rhs = entries.len().next_multiple_of(4);
         let length = n.next_multiple_of(4);
         let solution = rhs + length;
@@ -166,7 +178,7 @@ impl Linear {
         }
     }
 
-    /// The characteristic size of each unknown: 1 for an angle, a typical length for a length.
+    /// Sets the characteristic size of each unknown: 1 for an angle, a typical length for a length.
     pub(crate) fn set_sizes(&mut self, sizes: &[f64]) {
         if self.sizes != sizes {
             self.sizes.copy_from_slice(sizes);
@@ -174,48 +186,51 @@ impl Linear {
         }
     }
 
-    /// The values, to be written before [`Linear::factor`].
+    /// Returns the values, to be written before [`Linear::factor`].
     pub(crate) fn values_mut(&mut self) -> &mut [f64] {
         &mut self.memory[..self.entries.len()]
     }
 
-    /// The values as last written.
+    /// Returns the values as last written.
     pub(crate) fn values(&self) -> &[f64] {
         &self.memory[..self.entries.len()]
     }
 
-    /// The right side, to be written before [`Linear::solve`].
+    /// Returns the right side, to be written before [`Linear::solve`].
     pub(crate) fn rhs_mut(&mut self) -> &mut [f64] {
         &mut self.memory[self.places.rhs as usize..][..self.n]
     }
 
-    /// The values as last written, and the right side.
+    /// Returns the values as last written, and the right side.
     pub(crate) fn values_and_rhs(&mut self) -> (&[f64], &mut [f64]) {
         let (values, behind) = self.memory.split_at_mut(self.places.rhs as usize);
         (&values[..self.entries.len()], &mut behind[..self.n])
     }
 
-    /// The same in whole fours; what is written beyond the end does not count.
+    /// Returns the right side in groups of four; numbers beyond the end are ignored.
     pub(crate) fn whole_rhs_mut(&mut self) -> &mut [Quad] {
         self.memory[self.places.rhs as usize..self.places.solution as usize].as_chunks_mut().0
     }
 
-    /// The solution that [`Linear::solve`] has found.
+    /// Returns the solution of [`Linear::solve`].
     pub(crate) fn solution(&self) -> &[f64] {
         &self.memory[self.places.solution as usize..][..self.n]
     }
 
-    /// The same in whole fours, zeros at the end.
+    /// Returns the solution in groups of four, with zeros at the end.
     pub(crate) fn whole_solution(&self) -> &[Quad] {
         self.memory[self.places.solution as usize..self.places.zero as usize].as_chunks().0
     }
 
-    /// The smallest pivot of the last factoring, by the measures of its row and column.   \[-\]
+    /// Returns the smallest scaled pivot of the last factoring. \[-\]
     pub(crate) fn smallest_pivot(&self) -> f64 {
         self.smallest
     }
 
-    /// A = L U; false if A is singular. The values must be finite and measured.
+    /// Factors A = L U. Returns false if A is singular. The values must be finite and scaled.
+    ///
+    /// It replays the recording if there is one and its check succeeds; otherwise it records the
+    /// elimination again.
     pub(crate) fn factor(&mut self) -> bool {
         if self.settled {
             return true;
@@ -223,8 +238,8 @@ impl Linear {
         if let Some(recording) = &self.recording {
             let settled = recording.factor.len() == 0;
             self.replay();
-            // Small pivots are judged as those of a new recording are: by the condition of the
-            // whole.
+            // Small pivots are judged like those of a new recording: by the condition of the whole
+            // matrix.
             if self.fits() && (self.smallest >= SUSPICIOUS || self.condition() < CONDITION) {
                 self.settled = settled;
                 return true;
@@ -233,7 +248,7 @@ impl Linear {
         self.prepare()
     }
 
-    /// A x = b with the factors at hand: from the right side to the solution.
+    /// Solves A x = b with the present factors.
     pub(crate) fn solve(&mut self) {
         let Some(recording) = &self.recording else { return };
         recording.solve.run(&mut self.memory);
@@ -242,7 +257,8 @@ impl Linear {
         }
     }
 
-    /// x += A⁻¹ (b − A x): what growth of the cells has cost comes back.
+    /// Improves the solution: x += A⁻¹ (b − A x). This removes the error that the growth of entries
+    /// causes.
     #[cold]
     fn refine(&mut self) {
         let mut known = std::mem::take(&mut self.known);
@@ -263,7 +279,7 @@ impl Linear {
         self.known = known;
     }
 
-    /// Runs the recorded elimination on the values as written, and looks at what it has computed.
+    /// Runs the recorded elimination on the present values, and checks the result.
     fn replay(&mut self) {
         if !self.weighted {
             self.weight_pivots();
@@ -278,19 +294,19 @@ impl Linear {
         let inside = padded::inside(self.memory[cells..pivots].as_chunks().0, self.bounds.whole());
         self.refined = !inside && largest(cells, multipliers) > REFINED;
         self.grown = !inside && largest(multipliers, pivots) > GROWTH;
-        // Pivots stand there inverted: the largest is the smallest pivot, and a number that is not
-        // finite none at all.
+        // Pivots are stored inverted, so the largest number belongs to the smallest pivot. A number
+        // that is not finite means no pivot.
         self.smallest = self.smallest_constant.min(largest(pivots, end).recip());
         self.best = self.best.max(self.smallest);
     }
 
-    /// True if the last replay can be trusted as the recording could.
+    /// Returns true if the last replay is as reliable as the recording.
     fn fits(&self) -> bool {
         let faded = self.best * if self.smallest < SUSPICIOUS { 0.5 } else { FADED };
         !self.grown && self.smallest > SINGULAR && self.smallest >= faded
     }
 
-    /// Tells the watch how pivots are measured.
+    /// Sets the scales of the pivots for the check.
     fn weight_pivots(&mut self) {
         self.weighted = true;
         let Some(recording) = &self.recording else { return };
@@ -318,13 +334,13 @@ impl Linear {
         self.smallest_constant = constant.fold(f64::INFINITY, f64::min);
     }
 
-    /// How many times the elimination has been recorded.
+    /// Returns the number of recordings.
     #[cfg(test)]
     pub(crate) fn recordings(&self) -> usize {
         self.recordings
     }
 
-    /// The matrix to be recorded.
+    /// Returns the matrix to be recorded.
     fn input(&self) -> Input<'_> {
         Input {
             n: self.n,
@@ -336,7 +352,7 @@ impl Linear {
         }
     }
 
-    /// Records the elimination at the values as written, and runs it; false where there are not
+    /// Records the elimination at the present values, and runs it. Returns false if there are not
     /// enough pivots.
     fn record(&mut self) -> bool {
         self.recordings += 1;
@@ -351,7 +367,7 @@ impl Linear {
         true
     }
 
-    /// Records the elimination at the values as written; false, and nothing recorded, if they are
+    /// Records the elimination at the present values. Returns false and records nothing if they are
     /// singular.
     pub(crate) fn prepare(&mut self) -> bool {
         self.measure();

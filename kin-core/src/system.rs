@@ -1,5 +1,5 @@
-//! A mechanism made ready for solving: fixed order of coordinates and equations, fixed pattern of
-//! C_q.
+//! A mechanism ready to solve, with a fixed order of coordinates and equations and a fixed pattern
+//! of C_q.
 
 mod axes;
 mod cache;
@@ -31,38 +31,38 @@ use dimensions::Dimensions;
 use evaluate::Equations;
 pub use solution::{Report, Solution};
 
-/// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n; built by
-/// [`crate::Mechanism::build`].
+/// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n. [`crate::Mechanism::build`] creates
+/// it.
 ///
-/// Coordinates come in the order in which bodies and bare coordinates were declared, equations in
-/// the order in which constraints were added, the norm constraints |p|² = 1 of spatial bodies
-/// (named `BODY.p`) after them.
+/// Coordinates are in the order in which bodies and scalar coordinates were declared. Equations are
+/// in the order in which constraints were added. The norm constraints |p|² = 1 of spatial bodies
+/// (named `BODY.p`) come last.
 #[derive(Clone)]
 pub struct System {
     name: String,
     layout: Arc<Layout>,
     equations: Equations,
-    /// Names of the equations.
+    /// The names of the equations, one for each row.
     rows: Arc<[String]>,
     initial: Vec<f64>,
     preferred: Vec<(usize, f64)>,
-    /// Preferred measures of joints.
+    /// The preferred measures of joints.
     pub(crate) asked: Vec<PreferredMeasure>,
-    /// Lengths of the links as (item, length between the pins).   \[m\]
+    /// The lengths of all links as (item, length between the pins). \[m\]
     lengths: Vec<(usize, f64)>,
-    /// Those of planar links.
+    /// The lengths of the planar links. \[m\]
     links: Vec<f64>,
     dimensions: Option<Dimensions>,
-    /// The linear solver with the elimination recorded at the initial guess, if C_q is regular
+    /// The linear solver. If C_q is regular at the initial guess, its elimination is recorded
     /// there.
     linear: Linear,
-    /// Ranges that measures should keep to.
+    /// The permitted ranges of measures.
     pub(crate) limits: Vec<Limit>,
     /// The constraints with conditions or other kinks, which a run has to look for.
     /// Axes of which components were set.
     axes: Vec<axes::Given>,
     cache: Cache,
-    /// Masses, gravity and what else acts; nothing of it is asked before forces are.
+    /// Masses, gravity and loads. Only the computation of forces uses them.
     pub(crate) loads: Arc<Loads>,
 }
 
@@ -109,67 +109,67 @@ impl System {
         }
     }
 
-    /// Name of the mechanism.
+    /// Returns the name of the mechanism.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Number of coordinates n.
+    /// Returns the number of coordinates n.
     pub fn n_coordinates(&self) -> usize {
         self.layout.len()
     }
 
-    /// True if there are more equations than coordinates.
+    /// Returns true if there are more equations than coordinates.
     pub(crate) fn is_redundant(&self) -> bool {
         self.n_equations() > self.n_coordinates()
     }
 
-    /// Number of equations m; more than n if some repeat others.
+    /// Returns the number of equations m. It is larger than n if some equations repeat others.
     pub fn n_equations(&self) -> usize {
         self.equations.rows
     }
 
-    /// Names of the coordinates in their order, such as `crank.R_x`, `crank.theta`, `platform.e0`,
-    /// `theta3`.
+    /// Returns the names of the coordinates in order, such as `crank.R_x`, `crank.theta`,
+    /// `platform.e0`, `theta3`.
     pub fn coordinate_names(&self) -> &[String] {
         &self.layout.names
     }
 
-    /// Units of the coordinates in their order: `m` (or as [`crate::Mechanism::units`] calls it),
-    /// `rad` or `-`.
+    /// Returns the units of the coordinates in order: `m` (or the name from
+    /// [`crate::Mechanism::units`]), `rad` or `-`.
     pub fn coordinate_units(&self) -> Vec<String> {
         self.layout.unit_words()
     }
 
-    /// Names of the units of length and time.
+    /// Returns the names of the units of length and time.
     pub fn unit_words(&self) -> &Units {
         &self.layout.words
     }
 
-    /// The length between the two pins of a link; `None` of other bodies.   \[m\]
+    /// Returns the length between the two pins of a link, or `None` for other bodies. \[m\]
     pub fn link_length(&self, body: &Target) -> Option<f64> {
         let Some(Place::Own { item, .. }) = self.layout.place(body) else { return None };
         self.lengths.iter().find(|(known, _)| *known == item).map(|(_, length)| *length)
     }
 
-    /// The planar and spatial bodies with their names, in the order of declaration.
+    /// Returns the planar and spatial bodies with their names, in the order of declaration.
     pub fn bodies(&self) -> Vec<(&str, Target)> {
         self.layout.bodies()
     }
 
-    /// The constraints with their names, in their order; the norm constraints of spatial bodies
+    /// Returns the constraints with their names, in order. The norm constraints of spatial bodies
     /// come last.
     pub fn constraints(&self) -> impl Iterator<Item = (&str, &dyn Constraint)> {
         self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
     }
 
-    /// Names of the constraints in their order.
+    /// Returns the names of the constraints in order.
     pub fn constraint_names(&self) -> Vec<&str> {
         self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
     }
 
-    /// Names of the equations in their order: `A.x`, `A.y`; a constraint of one row gives its own
-    /// name.
+    /// Returns the names of the equations in order: `A.x`, `A.y`. A constraint of one row uses its
+    /// name alone.
     pub fn equation_names(&self) -> Vec<String> {
         self.rows.to_vec()
     }
@@ -178,12 +178,12 @@ impl System {
         &self.rows
     }
 
-    /// The initial guess of q, preferred values included.   \[m, rad\]
+    /// Returns the initial guess of q, including preferred values. \[m, rad\]
     pub fn initial(&self) -> &[f64] {
         &self.initial
     }
 
-    /// Gives another initial guess of q (length n); preferred values stay preferred.
+    /// Sets the initial guess of q (length n). Preferred values stay preferred.
     pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
         self.check(q, "initial guess")?;
         self.initial.copy_from_slice(q);
@@ -191,7 +191,7 @@ impl System {
         Ok(())
     }
 
-    /// An error by name unless every constraint knows its part of the jerk.
+    /// Returns an error, by name, unless every constraint knows its part of the jerk.
     pub(crate) fn knows_jerk(&self) -> Result<()> {
         let still = vec![0.0; self.n_coordinates()];
         self.model().jerk_rhs(&self.initial, 0.0, &still, &still).map(|_| ())
@@ -227,13 +227,13 @@ impl System {
         &self.equations
     }
 
-    /// A linear solver for C_q, with all that never changes in its place, and measured at the
-    /// initial guess where that has been done.
+    /// Returns a linear solver for C_q that already contains all constants. If the system has
+    /// recorded an elimination at the initial guess, the solver contains it too.
     pub(crate) fn linear(&self) -> Linear {
         self.linear.clone()
     }
 
-    /// The constraints with conditions or other kinks.
+    /// Returns the indices of the constraints with conditions or other kinks.
     pub(crate) fn switching(&self) -> &[usize] {
         self.equations.switching()
     }
@@ -242,7 +242,7 @@ impl System {
         &self.preferred
     }
 
-    /// Prefers a value of one coordinate, and guesses it.
+    /// Prefers a value of one coordinate and guesses it.
     pub(crate) fn prefer_column(&mut self, column: usize, value: f64) {
         self.initial[column] = value;
         self.preferred.retain(|(known, _)| *known != column);
@@ -250,13 +250,13 @@ impl System {
         self.forget();
     }
 
-    /// Something was set: whatever was made of the system before counts no more.
+    /// Discards everything derived from the system, because something was set.
     pub(crate) fn forget(&mut self) {
         self.linear.forget();
         self.cache.forget();
     }
 
-    /// Things that upper rooms keep beside the system.
+    /// Returns the values that other rooms derive from the system and keep.
     pub(crate) fn cache(&self) -> &Cache {
         &self.cache
     }
@@ -265,7 +265,7 @@ impl System {
         &self.links
     }
 
-    /// Name of the constraint and of its row for a global row.
+    /// Returns the names of the constraint and of the row of a global row.
     pub(crate) fn row_name(&self, row: usize) -> (String, String) {
         let found = self.equations.block_of(row);
         found
@@ -273,7 +273,7 @@ impl System {
             .unwrap_or_default()
     }
 
-    /// The error for a singular matrix at a pose and time.
+    /// Builds the error for a singular matrix at a pose and time.
     pub(crate) fn singular(&self, t: f64, q: &[f64], unmet: Option<Box<str>>) -> Error {
         let model = self.model();
         let point = match model.linearize(q, t) {
@@ -319,7 +319,7 @@ impl std::fmt::Debug for System {
     }
 }
 
-/// The linear solver, its elimination recorded at the initial guess and t = 0.
+/// Returns the linear solver with its elimination recorded at the initial guess and t = 0.
 fn prepared(layout: &Layout, equations: &Equations, initial: &[f64], links: &[f64]) -> Linear {
     let mut linear =
         Linear::new(layout.len(), equations.entries.iter().copied(), &equations.constants);

@@ -1,5 +1,5 @@
-//! The constants of the standard library, which only rustc knows by their names: numbers stand for
-//! them.
+//! Replaces the constants of the standard library by numbers, since only rustc knows them by their
+//! names.
 
 use std::f64::consts;
 
@@ -38,8 +38,8 @@ const KNOWN: [(&str, f64); 26] = [
     ("NAN", f64::NAN),
 ];
 
-/// Puts their numbers into a function and its attributes; `own` are the items around it, whose
-/// names come first.
+/// Replaces constants in a function and its attributes. `own` are the items around the function:
+/// their names have precedence.
 pub fn put(function: &mut ItemFn, own: &[Item]) {
     let declared = own.iter().filter_map(|item| match item {
         Item::Const(constant) => Some(constant.ident.to_string()),
@@ -49,14 +49,14 @@ pub fn put(function: &mut ItemFn, own: &[Item]) {
     put.visit_block_mut(&mut function.block);
 }
 
-/// The same of an expression that stands in an attribute.
+/// Replaces constants in an expression of an attribute.
 pub fn put_into(expression: &Expr) -> Expr {
     let mut expression = expression.clone();
     Put(vec![]).visit_expr_mut(&mut expression);
     expression
 }
 
-/// Names that stand for something else.
+/// The visitor that replaces constants; the field holds the names that have another meaning here.
 struct Put(Vec<String>);
 
 impl VisitMut for Put {
@@ -68,12 +68,12 @@ impl VisitMut for Put {
     }
 }
 
-/// True if a text knows the path: `f64::consts::PI`, `f64::EPSILON`.
+/// Returns true if a text can use the path: `f64::consts::PI`, `f64::EPSILON`.
 pub fn is_known(path: &ExprPath) -> bool {
     value(&Expr::Path(path.clone()), &[]).is_some()
 }
 
-/// The number that `PI`, `f64::EPSILON` or `std::f64::consts::TAU` is.
+/// Returns the number of `PI`, `f64::EPSILON` or `std::f64::consts::TAU`.
 fn value(expression: &Expr, own: &[String]) -> Option<f64> {
     let Expr::Path(path) = expression else { return None };
     let text = path.to_token_stream().to_string().replace(' ', "");

@@ -1,13 +1,15 @@
-//! Mistakes of the user: collected, so that one compilation shows them all, each at its own token.
+//! Mistakes of the user. The macro collects them, so that one compilation shows all of them, each
+//! at its token.
 
 use quote::ToTokens;
 
-/// A mistake at `tokens`.
+/// Makes an error at `tokens`.
 pub fn mistake(tokens: &dyn ToTokens, message: impl std::fmt::Display) -> syn::Error {
     syn::Error::new_spanned(tokens.to_token_stream(), message)
 }
 
-/// An integer k where a number is wanted, as it is written: `2`, or a name for one.
+/// Returns the message for an integer k (a literal such as `2`, or a name) at a place that needs a
+/// number.
 pub fn integer_for_a_number(tokens: &dyn ToTokens, k: i64) -> String {
     let text = tidy(&tokens.to_token_stream().to_string());
     if text.trim_start_matches('-').starts_with(|first: char| first.is_ascii_digit()) {
@@ -18,7 +20,7 @@ pub fn integer_for_a_number(tokens: &dyn ToTokens, k: i64) -> String {
     format!("`{text}` is an integer; as a number it is `{of} as f64`")
 }
 
-/// A token stream's text without the blanks that nobody writes.
+/// Returns the text of a token stream without the blanks that nobody writes.
 pub fn tidy(text: &str) -> String {
     let mut text = text.to_owned();
     for (from, to) in [
@@ -43,13 +45,12 @@ pub fn tidy(text: &str) -> String {
 pub struct Mistakes(Option<syn::Error>);
 
 impl Mistakes {
-    /// A mistake at `tokens`.
+    /// Adds a mistake at `tokens`.
     pub fn add(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) {
         self.push(mistake(tokens, message));
     }
 
-    /// Adds an error, but for one that has been said already of the same tokens, in another turn of
-    /// a loop.
+    /// Adds an error, unless another turn of a loop has already added it for the same tokens.
     pub fn push(&mut self, error: syn::Error) {
         let said = |known: &syn::Error| {
             let a = known.span().start();
@@ -63,7 +64,7 @@ impl Mistakes {
         }
     }
 
-    /// The value, or `None` with its mistake kept.
+    /// Returns the value, or keeps the mistake and returns `None`.
     pub fn catch<T>(&mut self, result: syn::Result<T>) -> Option<T> {
         result.map_err(|error| self.push(error)).ok()
     }
@@ -72,7 +73,7 @@ impl Mistakes {
         self.0.is_none()
     }
 
-    /// All of them as one error, if there are any.
+    /// Returns all mistakes as one error, or `Ok` if there are none.
     pub fn finish(self) -> syn::Result<()> {
         self.0.map_or(Ok(()), Err)
     }

@@ -1,5 +1,5 @@
-//! The formula of a function that was read: its rows as data, with what only the user's program can
-//! compute numbered.
+//! The formula of a function as data. Each value that only the user's program can compute has a
+//! number in it.
 
 use std::collections::HashMap;
 
@@ -18,22 +18,22 @@ pub enum Outside {
     Leaf(usize),
 }
 
-/// The formula of what was read, as it was written.
+/// The formula of a function, as the user wrote it.
 pub struct Written<'a> {
-    /// The reading that the formula is of: constants in it are as they are written.
+    /// The interpreted body, with the constants as the user wrote them.
     pub lowered: &'a Lowered,
     pub formula: Formula,
-    /// Numbers of the parameters that are in it.
+    /// The numbers of the parameters in the formula.
     pub parameters: Vec<usize>,
-    /// The values that stand as [`Op::Law`] and [`Op::Opaque`] in it.
+    /// The values behind [`Op::Law`] and [`Op::Opaque`] in the formula, by their number.
     pub outside: Vec<Outside>,
     arguments: &'a [Argument],
-    /// The node of the formula that each node of the rows is.
+    /// From a node of the rows to its node in the formula.
     nodes: HashMap<Node, Node>,
 }
 
 impl<'a> Written<'a> {
-    /// The equation as it was written, if it could be read so.
+    /// Makes the formula with the constants as the user wrote them, or else with the folded ones.
     pub fn of(arguments: &'a [Argument], folded: &'a Lowered) -> Self {
         let lowered = folded.as_written.as_deref().unwrap_or(folded);
         let rows: Vec<Node> = lowered.rows.iter().map(|row| row.node).collect();
@@ -58,12 +58,12 @@ impl<'a> Written<'a> {
         written
     }
 
-    /// The formula's node of one that has been put there.
+    /// Returns the formula's node for a node that is already in the formula.
     fn of_node(&self, node: Node) -> Node {
         self.nodes.get(&node).copied().unwrap_or_default()
     }
 
-    /// Puts a node into the formula, whose operands are there.
+    /// Adds a node whose operands are already in the formula.
     fn node(&mut self, node: Node) -> Node {
         let graph = &self.lowered.graph;
         let op = match graph.op(node) {
@@ -125,7 +125,7 @@ impl<'a> Written<'a> {
         }
     }
 
-    /// The number in the formula of the expression that a node is of.
+    /// Returns the number, in the formula, of the expression to which a node belongs.
     fn expression(&mut self, node: Node) -> Option<usize> {
         let Expression { text, line, column } =
             &self.lowered.expressions.all[self.lowered.expressions.of(node)?];
@@ -138,7 +138,7 @@ impl<'a> Written<'a> {
     }
 }
 
-/// The name of a parameter in `set_parameter`.
+/// Returns the name of a parameter in `set_parameter`.
 pub fn parameter_name(path: &TokenStream, arguments: &[Argument]) -> String {
     let text = path.to_string().replace(' ', "");
     let name = text.trim_start_matches("self.").replace("r#", "");
@@ -148,7 +148,7 @@ pub fn parameter_name(path: &TokenStream, arguments: &[Argument]) -> String {
     if arguments.iter().any(is_axis) { name.replacen(".h.", ".", 1) } else { name }
 }
 
-/// The place of an item in a list, which it is put into if it is not there.
+/// Returns the position of an item in a list, and appends the item if it is absent.
 fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
     list.iter().position(|known| *known == item).unwrap_or_else(|| {
         list.push(item);
@@ -156,7 +156,7 @@ fn place<T: PartialEq>(list: &mut Vec<T>, item: T) -> usize {
     })
 }
 
-/// Number of a column among those of all arguments.
+/// Returns the number of a column among those of all arguments.
 pub fn local_column(arguments: &[Argument], column: Column) -> usize {
     let mut slot = 0;
     let mut first = 0;

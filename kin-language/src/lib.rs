@@ -1,6 +1,6 @@
-//! The language of constraints: an ordinary Rust function is read by `parse` (its signature, by
-//! name) and `lower` (its body, by abstract interpretation) into the scalar graph of `kin-graph`.
-//! Mistakes are collected and stand on the user's own tokens.
+//! The language of constraints. `parse` reads the signature of an ordinary Rust function by name;
+//! `lower` reads its body by abstract interpretation into the scalar graph of `kin-graph`. Both
+//! collect mistakes and report each at the user's token.
 #![forbid(unsafe_code)]
 
 pub mod constants;

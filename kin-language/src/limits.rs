@@ -1,23 +1,22 @@
-//! How deep and how long an item may be: everything that reads it recurses over it, on a stack of a
-//! few megabytes. And how many numbers it may speak of: code is written out for each of them.
+//! Limits of an item: its depth and length, because every reader of it recurses on a stack of a few
+//! megabytes; and its numbers, because emitted code repeats for each of them.
 
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::error::mistake;
 use crate::parse::{Argument, Kind, Shape};
 
-/// The way to a token may be this long, operators counted once and groups `GROUP` times.
+/// The greatest length of the path to a token. An operator counts once and a group `GROUP` times.
 const LONGEST_WAY: usize = 640;
 const GROUP: usize = 10;
 
-/// Coordinates of all arguments of a constraint: each has a column of C_q, and code of its own in
+/// The most coordinates of all arguments of a constraint. Each has a column of C_q and code in
 /// every kernel.
 const MOST_COORDINATES: usize = 256;
-/// Numbers of all parameters, and rows.
+/// The most numbers of all parameters, and the most rows.
 const MOST_NUMBERS: usize = 4_096;
 
-/// Refuses arguments of more coordinates or numbers than code can be written out for, at the one
-/// that is too many.
+/// Refuses arguments with too many coordinates or numbers, at the first argument beyond the limit.
 pub fn arguments(all: &[Argument]) -> syn::Result<()> {
     let mut coordinates = 0_usize;
     let mut numbers = 0_usize;
@@ -44,7 +43,7 @@ pub fn arguments(all: &[Argument]) -> syn::Result<()> {
     Ok(())
 }
 
-/// Refuses more rows than code can be written out for.
+/// Refuses too many rows.
 pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
     if count(shape) <= MOST_NUMBERS {
         return Ok(());
@@ -55,8 +54,8 @@ pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
     Err(syn::Error::new_spanned(ty, text))
 }
 
-/// How many numbers a type has; a list without numbers counts as one, for lists of it are gone
-/// through too.
+/// Returns how many numbers a type has. A list without numbers counts as one, because code also
+/// loops over a list of such lists.
 fn count(shape: &Shape) -> usize {
     match shape {
         Shape::Scalar | Shape::Any => 1,
@@ -75,7 +74,7 @@ pub fn check(item: &TokenStream) -> syn::Result<()> {
 
 fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
     let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
-    // The arms of a `match` are read one inside of the other.
+    // The reader recurses from one arm of a `match` into the next.
     let budget = budget.saturating_sub(arms(&tokens));
     for expression in expressions(&tokens) {
         let operators = expression.iter().filter(|token| is_operator(token)).count();
@@ -94,7 +93,7 @@ fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
 
 const TOO_LONG: &str = "this is nested too deeply, or goes on for too long in one expression: name parts of it with `let`";
 
-/// The tokens cut at commas and semicolons, and behind blocks that end a statement.
+/// Splits the tokens at commas and semicolons, and after blocks that end a statement.
 fn expressions(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {
     let ends = |k: &usize| match (&tokens[*k], tokens.get(k + 1)) {
         (TokenTree::Punct(punct), _) => matches!(punct.as_char(), ',' | ';'),

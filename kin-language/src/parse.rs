@@ -1,5 +1,5 @@
-//! First stage: from a Rust function to a [`ConstraintFn`], its signature read by name. `syn`'s
-//! items end here, its expressions in `lower`.
+//! First stage: makes a [`ConstraintFn`] from a Rust function, and reads the signature by name.
+//! Only this stage sees `syn`'s items; `lower` sees its expressions.
 
 mod alias;
 mod attribute;
@@ -22,7 +22,7 @@ pub use role::in_role;
 use types::has_rows;
 pub use types::{Kind, Shape, kind, literal_length, shape};
 
-/// A function under `#[constraint]`, with its signature understood.
+/// A function under `#[constraint]` with its parsed signature.
 pub struct ConstraintFn {
     pub attributes: Vec<Attribute>,
     pub visibility: Visibility,
@@ -30,38 +30,39 @@ pub struct ConstraintFn {
     pub arguments: Vec<Argument>,
     pub output: Shape,
     pub output_type: Type,
-    /// The body, with types in the place of the names that it gives to them.
+    /// The body. Types replace the aliases that the body declares for them.
     pub body: Block,
-    /// The body as it was written, if it gives names to types.
+    /// The body as the user wrote it, if it declares aliases; else `None`.
     named: Option<Block>,
     pub choice: Choice,
-    /// True if a warning is asked for where the body cannot be read.
+    /// True if the user wants a warning where the interpreter cannot read the body.
     pub warn_dual: bool,
-    /// The lengths of constants beside the function, as the attribute gives them.
+    /// The lengths that the attribute gives for constants outside the function.
     pub lengths: Vec<(Ident, syn::LitInt)>,
-    /// All lengths that the attribute gives, those of const generics too.
+    /// All lengths that the attribute gives, including those of const generics.
     pub given: Vec<(Ident, syn::LitInt)>,
-    /// The demands on the parameters.
+    /// The conditions of `#[require]` on the parameters.
     pub requirements: Vec<Demand>,
-    /// The demands on the pose that is meant, where the equations have others.
+    /// The conditions of `#[branch]`, which select the intended pose where the equations have
+    /// several solutions.
     pub branches: Vec<Demand>,
     /// The measures of the constraint beside its equations.
     pub measures: Vec<Measure>,
-    /// The value of the function: an equation, or what acts.
+    /// The meaning of the function's value: an equation, an energy or a force.
     pub role: Role,
     pub second_reader: SecondReader,
-    /// The function as it was handed in.
+    /// The tokens of the function as the macro received them.
     pub item: TokenStream,
-    /// Functions beside it whose texts its own text takes along.
+    /// Functions outside this one whose text goes with its text.
     pub with: Vec<syn::Path>,
 }
 
-/// Who reads the body besides, and tells the mistakes that any program may have.
+/// The second reader of the body, which reports the mistakes that any program may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SecondReader {
-    /// It is a part of a program.
+    /// Rustc: the body is a part of a program.
     Rustc,
-    /// It is a text.
+    /// No second reader: the body is a text.
     Nobody,
 }
 
@@ -70,20 +71,20 @@ pub enum SecondReader {
 pub enum Role {
     /// An equation C(q, t) = 0.
     Equation,
-    /// An energy, whose generalised forces are asked for (`#[potential]`).
+    /// An energy, from which Kin derives generalised forces (`#[potential]`).
     Energy,
     /// A force along a length or an angle x, a function of x, ẋ and t (`#[force]`).
     Force,
 }
 
-/// The route that the attribute asks for.
+/// The route that the attribute selects.
 #[derive(Clone, Copy, Debug)]
 pub enum Choice {
-    /// Symbolic where the body can be read, else dual.
+    /// The symbolic route if the interpreter can read the body, else the dual route.
     Best,
-    /// `#[constraint(symbolic)]`
+    /// The symbolic route, from `#[constraint(symbolic)]`.
     Symbolic,
-    /// `#[constraint(dual)]`, with the place of the word.
+    /// The dual route, from `#[constraint(dual)]`, with the span of the word.
     Dual(Span),
 }
 
@@ -95,7 +96,7 @@ pub struct Argument {
     pub ty: Type,
 }
 
-/// The functions that `#[helper(with = other)]` names.
+/// Returns the functions in `#[helper(with = other)]`.
 pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
     const WORDS: &str =
         "`#[helper]` takes nothing, or functions that this one calls: `with = other`";
@@ -107,7 +108,7 @@ pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
         .ok_or_else(|| syn::Error::new_spanned(&attribute, WORDS))
 }
 
-/// Reads the attribute and the signature; every mistake at its own token.
+/// Reads the attribute and the signature, and reports every mistake at its token.
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<ConstraintFn> {
     let Asked { choice, warn_dual, lengths: given, with } = attribute::asked(attribute)?;
     let mut function = item_fn(item.clone())?;
@@ -151,20 +152,20 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> syn::Result<Cons
 }
 
 impl ConstraintFn {
-    /// The body as it was written.
+    /// Returns the body as the user wrote it.
     pub fn written(&self) -> &Block {
         self.named.as_ref().unwrap_or(&self.body)
     }
 }
 
 impl LawFn {
-    /// The body as it was written.
+    /// Returns the body as the user wrote it.
     pub fn written(&self) -> &Block {
         self.named.as_ref().unwrap_or(&self.body)
     }
 }
 
-/// The body that the compiler reads, and the written one where they differ.
+/// Returns the body without aliases, and the written one if it differs.
 fn bodies(written: Block) -> (Block, Option<Block>) {
     match alias::resolved(&written) {
         Some(body) => (body, Some(written)),
@@ -174,21 +175,21 @@ fn bodies(written: Block) -> (Block, Option<Block>) {
 
 /// A function under `#[law]`.
 pub struct LawFn {
-    /// The function as it was written.
+    /// The tokens of the function as the user wrote it.
     pub item: TokenStream,
     pub attributes: Vec<Attribute>,
     pub visibility: Visibility,
     pub name: Ident,
     pub variable: Ident,
     pub parameters: Vec<Argument>,
-    /// As in a [`ConstraintFn`].
+    /// The body without aliases, as in a [`ConstraintFn`].
     pub body: Block,
     named: Option<Block>,
-    /// The demands on the parameters.
+    /// The conditions of `#[require]` on the parameters.
     pub requirements: Vec<Demand>,
 }
 
-/// Reads a function of one variable: its first argument.
+/// Reads a function of one variable, its first argument.
 pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     if !attribute.is_empty() {
         return Err(syn::Error::new_spanned(attribute, "`#[law]` takes nothing"));
@@ -249,7 +250,7 @@ pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     })
 }
 
-/// The text of a function's doc comment.
+/// Returns the text of a function's doc comment.
 pub fn description(attributes: &[Attribute]) -> String {
     let lines = attributes.iter().filter(|attribute| attribute.path().is_ident("doc"));
     let lines = lines.filter_map(|attribute| match &attribute.meta {

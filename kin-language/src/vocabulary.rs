@@ -1,17 +1,18 @@
-//! Names that both readers of the body understand, the interpreter and the rewriter: what a path or
-//! a method is, before any type is known.
+//! Names that both readers of the body understand, the interpreter and the rewriter: the meaning of
+//! a path or a method before any type is known.
 
 use kin_graph::{Function, Function2};
 use syn::ExprPath;
 
-/// `f64::sin`, but not `f64::EPSILON` or `f64::consts::PI`, and none without a derivative.
+/// Returns true for a function such as `f64::sin`, but not for `f64::EPSILON`, `f64::consts::PI`,
+/// or a function without a derivative.
 pub fn is_number_function(path: &ExprPath) -> bool {
     let names = names(path);
     matches!(&names[..], [ty, function] if ty == "f64" && function.starts_with(char::is_lowercase) && !is_underived(function))
 }
 
-/// Functions of f64 that make a number of something else, or have no derivative: for numbers that
-/// do not change they are called as they are.
+/// Returns true for a function of f64 that returns no number or has no derivative. Emitted code
+/// calls it unchanged for numbers that do not vary.
 pub fn is_underived(name: &str) -> bool {
     UNDERIVED.contains(&name)
 }
@@ -32,7 +33,7 @@ const UNDERIVED: &[&str] = &[
     "midpoint",
 ];
 
-/// Functions of Kin's that take any numbers.
+/// Returns true for a function of Kin that takes numbers of any kind.
 pub fn is_kin_function(path: &ExprPath) -> bool {
     let names = names(path);
     match names.iter().map(String::as_str).collect::<Vec<_>>()[..] {
@@ -46,7 +47,7 @@ pub fn is_kin_function(path: &ExprPath) -> bool {
     }
 }
 
-/// Functions of the standard library that take values of any type.
+/// Returns true for a function of the standard library that takes values of any type.
 pub fn is_std_function(path: &ExprPath) -> bool {
     let names = names(path);
     matches!(
@@ -72,13 +73,13 @@ pub fn is_std_function(path: &ExprPath) -> bool {
     )
 }
 
-/// A path that names a struct or a variant, by convention: its last name begins with a capital
-/// letter.
+/// Returns true for a path that names a struct or a variant: by convention, its last name begins
+/// with a capital letter.
 pub fn is_type_name(path: &ExprPath) -> bool {
     names(path).last().is_some_and(|name| name.starts_with(char::is_uppercase))
 }
 
-/// Types of Kin's that are made of numbers.
+/// Returns true for a type of Kin that is made of numbers.
 pub fn is_kin_type(path: &syn::Path) -> bool {
     let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
     matches!(
@@ -112,35 +113,36 @@ pub fn is_integer(name: &str) -> bool {
     )
 }
 
-/// The names of a path, `f64` and `sin` of `f64::sin`.
+/// Returns the names of a path: `f64` and `sin` for `f64::sin`.
 pub fn names(path: &ExprPath) -> Vec<String> {
     path.path.segments.iter().map(|segment| segment.ident.to_string()).collect()
 }
 
-/// Methods of numbers.
+/// Returns true for a method of numbers.
 pub fn is_scalar_method(name: &str) -> bool {
     Function::from_method(name).is_some()
         || Function2::from_method(name).is_some()
         || SCALAR.contains(&name)
 }
 
-/// Functions of the list that f64 has no method for.
+/// Returns true for a function of the list that is no method of f64.
 pub fn is_beyond_std(name: &str) -> bool {
     Function::from_method(name).is_some_and(|f| !f.facts().in_std)
         || Function2::from_method(name).is_some_and(|f| !f.facts().in_std)
 }
 
-/// Methods of vectors whose first argument is a vector.
+/// Returns true for a method of vectors whose first argument is a vector.
 pub fn is_vector_method(name: &str) -> bool {
     matches!(name, "dot" | "cross" | "component_mul" | "component_div" | "lerp")
 }
 
-/// Methods of numbers, vectors, matrices and laws, which take Kin's own numbers as they are.
+/// Returns true for a method of numbers, vectors, matrices or laws, which takes numbers of Kin
+/// unchanged.
 pub fn is_number_method(name: &str) -> bool {
     is_scalar_method(name) || COMPONENTS.contains(&name)
 }
 
-/// Methods of numbers beside the functions of the list.
+/// Methods of numbers that are not in the list of functions.
 const SCALAR: &[&str] = &[
     "log",
     "powi",
@@ -184,8 +186,8 @@ const COMPONENTS: &[&str] = &[
     "slope",
 ];
 
-/// Methods that only look at a container or go over it, so that a copy of it in other numbers
-/// serves as well.
+/// Returns true for a method that only reads a container or iterates over it, so that a copy in
+/// other numbers gives the right result.
 pub fn is_reading_method(name: &str) -> bool {
     READING.contains(&name)
 }
@@ -243,7 +245,8 @@ const READING: &[&str] = &[
     "collect",
 ];
 
-/// Methods that change a container or an iterator in place, or whose result borrows from it.
+/// Returns true for a method that changes a container or an iterator in place, or whose result
+/// borrows from it.
 pub fn is_changing_method(name: &str) -> bool {
     CHANGING.contains(&name)
 }

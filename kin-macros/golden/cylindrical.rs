@@ -78,7 +78,7 @@ const _: () = {
     impl ::kin::Constraint for cylindrical {
         fn facts(&self) -> ::kin::emitted::Facts<'_> {
             const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
-                description: "A cylindrical joint: the axes are parallel and the line between two of their points is along\nthem. [–, –, m, m]",
+                description: "A cylindrical joint: the axes are parallel and the line between two of their points is along\nthem.      [–, –, m, m]",
                 is_driver: false,
                 rows: &["1", "2", "3", "4"],
                 pattern: &[
@@ -844,7 +844,7 @@ const _: () = {
             to.put("h_j", &self.h_j);
             to.put_text(
                 ::core::module_path!(),
-                "/// A cylindrical joint: the axes are parallel and the line between two of their points is along\n/// them. [–, –, m, m]\npub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) ->(f64, f64, f64, f64) { let f = i . direction (f_i) ; let g = i . direction (g_i) ; let h = j . direction (h_j) ; let d = i . point (u_i) - j . point (u_j) ; (f . dot (h) , g . dot (h) , f . dot (d) , g . dot (d)) }",
+                "/// A cylindrical joint: the axes are parallel and the line between two of their points is along\n/// them.      [–, –, m, m]\npub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, f_i: Vec3, g_i: Vec3, h_j: Vec3) ->(f64, f64, f64, f64) { let f = i . direction (f_i) ; let g = i . direction (g_i) ; let h = j . direction (h_j) ; let d = i . point (u_i) - j . point (u_j) ; (f . dot (h) , g . dot (h) , f . dot (d) , g . dot (d)) }",
             );
         }
     }

@@ -100,7 +100,7 @@ const _: () = {
     impl ::kin::Constraint for on_cam {
         fn facts(&self) -> ::kin::emitted::Facts<'_> {
             const FACTS: ::kin::emitted::Facts<'static> = ::kin::emitted::Facts {
-                description: "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured\nfrom the cam's x-axis. [m]",
+                description: "Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured\nfrom the cam's x-axis.      [m]",
                 is_driver: false,
                 rows: &["1"],
                 pattern: &[
@@ -393,7 +393,7 @@ const _: () = {
             to.put("profile", &self.profile);
             to.put_text(
                 ::core::module_path!(),
-                "/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured\n/// from the cam's x-axis. [m]\nfn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 { let p = cam . local (follower . point (tip)) ; let phi = p . y . atan2 (p . x) ; p . norm () - profile . at (phi) + wear (phi , MOST_WEAR) }",
+                "/// Knife-edge follower: the tip stays on the cam profile ρ(φ), worn off by `wear`; φ is measured\n/// from the cam's x-axis.      [m]\nfn on_cam(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 { let p = cam . local (follower . point (tip)) ; let phi = p . y . atan2 (p . x) ; p . norm () - profile . at (phi) + wear (phi , MOST_WEAR) }",
             );
             (&::kin::emitted::Outgoing(&MOST_WEAR)).constant("MOST_WEAR", to);
             to.lacks("`wear` (`#[helper]` before it and `#[constraint(with = wear)]`)");

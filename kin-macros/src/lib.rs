@@ -2,7 +2,7 @@
 //! Jacobian and right sides; `#[law]` turns a function of one variable into a law with its
 //! derivatives.
 //!
-//! The stages, in the order data moves: `parse` → `lower` (over `graph`) → `differentiate` →
+//! The stages in the order of the data: `parse` → `lower` (over `graph`) → `differentiate` →
 //! `emit`.
 #![forbid(unsafe_code)]
 
@@ -13,9 +13,11 @@ mod tests;
 
 use proc_macro::TokenStream;
 
-/// Keeps the text of a function, so that the constraints that call it can be written into files
-/// that stand alone: `#[constraint(with = parabola)]` takes the text of `parabola` along with its
-/// own. `#[helper(with = other)]` is for a function that calls another one.
+/// Keeps the text of a function, so that Kin can write the constraints that call it into mechanism
+/// files that need no program.
+///
+/// `#[constraint(with = parabola)]` writes the text of `parabola` together with the text of the
+/// constraint. `#[helper(with = other)]` marks a function that calls another helper.
 ///
 /// ```text
 /// #[helper]
@@ -45,20 +47,20 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// }
 /// ```
 ///
-/// The function becomes a constructor, `parabolic_slot(crank, table, vec2(0.1, 0.0), 2.0)`, of a
-/// struct of the same name that implements `Constraint`: C, C_q at a fixed pattern, C_t, and r(q̇,
-/// ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\].
+/// The function becomes a constructor, `parabolic_slot(crank, table, vec2(0.1, 0.0), 2.0)`. The
+/// constructor returns a struct of the same name that implements `Constraint`: it computes C, C_q
+/// at a fixed pattern, C_t, and r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\].
 ///
 /// # Arguments
 ///
-/// Types are read by name; an alias is an error that says so.
+/// The macro reads types by name. An alias of a type is an error.
 ///
 /// | type | in the function | the constructor takes |
 /// |---|---|---|
 /// | `Planar` | state of a planar body: `r`, `theta`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<PlanarBody>` |
 /// | `Spatial` | state of a spatial body: `r`, `p`, `a()`, `point(u)`, `direction(h)`, `local(p)` | anything `Into<SpatialBody>` |
 /// | `Coord`, `[Coord; N]` | bare coordinates, as numbers | anything `Into<Coordinate>`, `[Coordinate; N]` |
-/// | `[Planar; N]`, `[Spatial; N]` | states of several bodies | arrays of the same |
+/// | `[Planar; N]`, `[Spatial; N]` | states of several bodies | arrays of bodies |
 /// | `Time` | t   \[s\] | nothing |
 /// | `Law` | a function of one variable: `law.at(x)`, its derivative `law.slope(x)` | a `Law` |
 /// | `Axis` | unit vectors `h` along an axis of a spatial body, `f` and `g` across it | anything `Into<Axis>`: a `Vec3` |
@@ -66,50 +68,52 @@ pub fn helper(attribute: TokenStream, item: TokenStream) -> TokenStream {
 ///
 /// # Result
 ///
-/// `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these: one row each, named after the identifiers
-/// in a returned tuple or array, else x, y, z of a vector, else 1, 2, ….
+/// The function returns `f64`, `Vec2`, `Vec3`, `[f64; N]` or a tuple of these. Each number is a
+/// row. The identifiers in a returned tuple or array give the names of the rows. The rows of a
+/// vector have the names x, y, z, and all other rows have numbers from 1.
 ///
 /// # Routes
 ///
-/// The body is read by the compiler and differentiated symbolically. Calls of functions
-/// `fn f<D: Dual>(x: Real<D>) -> Real<D>` are evaluated with num-dual's numbers inside the symbolic
-/// code. A body that cannot be read (a loop whose bound is a parameter) runs on dual numbers as a
-/// whole; `Facts::route` tells which. `#[constraint(symbolic)]` makes such a body a compile error
-/// at the token that cannot be read, `#[constraint(dual)]` asks for dual numbers.
+/// The macro reads the body and differentiates it symbolically. The symbolic code calls functions
+/// of the form `fn f<D: Dual>(x: Real<D>) -> Real<D>` with the numbers of num-dual. A body that the
+/// macro cannot read (for example, a loop whose bound is a parameter) runs on dual numbers as a
+/// whole. `Facts::route` returns the route. `#[constraint(symbolic)]` makes an unreadable body a
+/// compile error at the unreadable token; `#[constraint(dual)]` selects dual numbers.
 ///
 /// `#[constraint(with = helper)]` puts the text of a function under [`macro@helper`] into mechanism
-/// files, with that of the constraint that calls it. Constants that are an f64 go there by
-/// themselves.
+/// files, together with the text of the constraint that calls it. The files also contain the f64
+/// constants that the constraint uses.
 ///
-/// `#[constraint(LEGS = 6)]` says what a length with a name is, of a constant or of a const
-/// generic: columns are counted here. Of a constant it is compared with what it is.
+/// `#[constraint(LEGS = 6)]` gives the value of a named length, which is a constant or a const
+/// generic. The macro needs the value, because it counts columns. The compiler compares the value
+/// with that of the constant.
 ///
 /// A path or field that the macro cannot know (`MAX_LIFT`, `gains.k`) is an f64 at run time, unless
-/// a `let v: Vec2 = …` or its place says otherwise.
+/// a `let v: Vec2 = …` or its place gives it another type.
 ///
-/// # What is demanded
+/// # Requirements
 ///
-/// `#[require(length > 0.0)]` below `#[constraint]` or `#[law]` says what must hold of the
-/// parameters, with a text of one's own if one likes:
-/// `#[require(length > 0.0, "a rod needs a length above zero")]`. Constructors give values, not
-/// results: the requirement is looked at where the constraint is added to a mechanism, which
-/// refuses it by name.
+/// `#[require(length > 0.0)]` below `#[constraint]` or `#[law]` states a condition on the
+/// parameters. A message is optional: `#[require(length > 0.0, "a rod needs a positive length")]`.
+/// The constructor does not test the condition, because it returns a value and no `Result`. The
+/// mechanism tests the condition when a program adds the constraint, and returns an error with the
+/// name of the constraint.
 ///
-/// `#[branch(condition, "what is wrong")]` says of the pose what the equation cannot, where it has
-/// solutions that are not meant (an axis turned by 180°): it is looked at when a position has been
-/// found.
+/// `#[branch(condition, "what is wrong")]` states a condition on the pose, for an equation with
+/// unwanted solutions (for example, an axis turned by 180°). Kin tests the condition after it has
+/// found a position.
 ///
 /// # Kinks
 ///
-/// Derivatives are taken from one side: `abs` at 0 as for x ≥ 0; `a.max(b)` and `a.min(b)` of equal
-/// values as for a; an `if` as the branch it takes; the steps (`floor`, `signum`, …) have
-/// derivative 0.
+/// At a kink the derivative is that of one side: `abs` at 0 takes the side x ≥ 0; `a.max(b)` and
+/// `a.min(b)` of equal values take the side of a; an `if` takes its present branch. The derivative
+/// of a step (`floor`, `signum`, …) is 0.
 #[proc_macro_attribute]
 pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::constraint(attribute.into(), item.into()).into()
 }
 
-/// Turns a function V(q, t) into an energy, which acts: its generalised forces are −V_qᵀ.
+/// Turns a function V(q, t) into a load with the generalised forces −V_qᵀ: V is its energy.
 ///
 /// ```text
 /// /// Energy of a spring, ½ k (l − l0)².      [J]
@@ -120,15 +124,15 @@ pub fn constraint(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// }
 /// ```
 ///
-/// All that is said of `#[constraint]` holds for it, and the body is read by the same compiler; but
-/// it has one row, and is given to a mechanism by `m.load("closer", spring(…))`.
+/// The rules of `#[constraint]` for arguments, routes and requirements apply. An energy has one
+/// row. A program adds it to a mechanism by `m.load("closer", spring(…))`.
 #[proc_macro_attribute]
 pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::potential(attribute.into(), item.into()).into()
 }
 
-/// Turns a function f(x, ẋ, t) into a force along a length or an angle x: its generalised forces
-/// are f x_qᵀ.
+/// Turns a function f(x, ẋ, t) into a force along a length or an angle x, with the generalised
+/// forces f x_qᵀ.
 ///
 /// ```text
 /// /// A strut with a spring and a damper in it.      [N]
@@ -138,10 +142,11 @@ pub fn potential(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// }
 /// ```
 ///
-/// The first argument is x, the second its rate, if the force depends on it; `t: Time` may follow,
-/// and parameters. The constructor takes x, any constraint of one row whose value it is, and the
-/// parameters: `m.load("strut", strut(loads::length(i, j, u_i, u_j), 80.0, 0.4,
-/// 12.0))`. The body is read as under `#[constraint]`.
+/// The first argument is x. The second argument is the rate ẋ, if the force depends on it.
+/// `t: Time` and parameters may follow. The constructor takes a constraint of one row, whose value
+/// is x, and the parameters:
+/// `m.load("strut", strut(loads::length(i, j, u_i, u_j), 80.0, 0.4, 12.0))`. The rules of
+/// `#[constraint]` for the body apply.
 #[proc_macro_attribute]
 pub fn force(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::force(attribute.into(), item.into()).into()
@@ -157,8 +162,8 @@ pub fn force(attribute: TokenStream, item: TokenStream) -> TokenStream {
 /// }
 /// ```
 ///
-/// The first argument is the variable; the others are parameters of the constructor,
-/// `rise(0.02, 1.2)`, which gives a `Law`. The body is read as under `#[constraint]`.
+/// The first argument is the variable. The other arguments are parameters of the constructor,
+/// `rise(0.02, 1.2)`, which returns a `Law`. The rules of `#[constraint]` for the body apply.
 #[proc_macro_attribute]
 pub fn law(attribute: TokenStream, item: TokenStream) -> TokenStream {
     expand::law(&attribute.into(), item.into()).into()

@@ -6,8 +6,12 @@ use std::path::Path;
 use crate::page::paragraphs;
 
 const HEAD: &str =
-    "A *length* is what a load can act along, any constraint of one row; a *force* takes one, or a measure of a joint by its name, as its `x`;
-an *energy* V acts with −V_q.\n\n";
+    "The kinds of loads are:
+
+* A *length* is a length or an angle that a load can act along. Any constraint of one row is a length.
+* A *force* acts along its argument `x`: a length, or a measure of a joint by its name.
+* An *energy* V acts with the forces −V_q.
+* A *load* combines forces and energies.\n\n";
 
 /// A function of the library of loads.
 pub struct LoadFunction {

@@ -1,5 +1,5 @@
-//! `docs/library.md`, made of the code's own table, and its pictures.
-//! `KIN_BLESS=1 cargo test --test library page` writes them anew.
+//! Writes `docs/library.md` and its pictures from the code, or compares them with the code.
+//! `KIN_BLESS=1 cargo test --test library page` writes them.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -11,26 +11,37 @@ use crate::{laws, loads, signature, sketch, table};
 const HEAD: &str = "\
 # The library
 
-Made from the code by `KIN_BLESS=1 cargo test --test library page`; a test compares the two, so that this page cannot differ from the code.
+`KIN_BLESS=1 cargo test --test library page` writes this page from the code. A test compares the page with the code, so both always agree.
 
-Each joint is a function whose body is its equation; derivatives are Kin's. `i`, `j` are bodies (the ground is one), `u_i`, `u_j` local positions, `h_i`,
-`h_j` local directions, R and A position and rotation of a body, r_P = R + A ū. In the pictures body i is blue, body j grey, what is driven orange.
+Each joint is a function whose body is its equation. Kin derives all derivatives from the equation. The equations use these symbols:
 
-Points and directions are local, in the frame of their body. Where a machine is drawn in global points, `m.local` says what they are in a body as it is
-drawn, and `m.local_direction` the same of directions:
+* `i` and `j` are bodies; the ground is a body too.
+* `u_i` and `u_j` are local positions, `h_i` and `h_j` local directions: their components are in the frame of the body.
+* R and A are the position and the rotation matrix of a body. The global position of a point P is r_P = R + A ū.
+* The pictures show body i in blue, body j in grey, and driven motions in orange.
+
+If you know the global position of a point in the drawn pose, `m.local` returns its local position in a body. `m.local_direction` does the same for a
+direction:
 
 ```rust
 let arm = m.planar(\"arm\", pose(0.2, 0.1, 0.3))?;
-m.add(\"pin\", revolute(arm, m.ground(), m.local(arm, (0.5, 0.4))?, (0.5, 0.4)))?;      // where it is drawn, at (0.5, 0.4)
+m.add(\"pin\", revolute(arm, m.ground(), m.local(arm, (0.5, 0.4))?, (0.5, 0.4)))?;      // the pin is at (0.5, 0.4) in the drawn pose
 ```
 
-The lists below say what each joint is called with. `Planar` and `Spatial` take a body, a link or the ground; `Coord` a coordinate (`crank.theta()`,
-`m.angle(…)?`); `Vec2` and `Vec3` a vector, a tuple or an array; `Axis` a direction, or `Axis::new(h, f)` with f, from where angles about h count by the
-right hand; `EulerParameters` (e0, e1, e2, e3), scalar first; `Law` a law. Angles of planar bodies are counter-clockwise positive; *i in j* is body i as
-it is seen from body j.
+The lists below show the arguments of each joint by these types:
 
-*Rows* are the freedoms removed. *Left* are the freedoms left between two bodies, or to one body in the world. *Ex.* marks joints whose bodies may be
-exchanged together with their parameters. *Measures* are the names that `System::measure` takes, such as `\"slot.slide\"`.
+* `Planar` and `Spatial` accept a body, a link or the ground.
+* `Coord` accepts a coordinate: `crank.theta()`, `m.angle(…)?`.
+* `Vec2` and `Vec3` accept a vector, a tuple or an array.
+* `Axis` accepts a direction, or `Axis::new(h, f)`. f is the direction from which angles about h count, by the right-hand rule.
+* `EulerParameters` accepts (e0, e1, e2, e3) with the scalar first.
+* `Law` accepts a law.
+
+Angles of planar bodies are counter-clockwise positive.
+
+The tables have these columns. *Rows* is the number of freedoms that the joint removes. *Left* is the number of freedoms that remain between two bodies,
+or for one body in the world. *Ex.* marks joints whose bodies you can exchange together with their parameters. *Measures* are names for
+`System::measure`, such as `\"slot.slide\"`.
 ";
 
 /// A paragraph of a doc comment as one line of a table.
@@ -125,7 +136,7 @@ fn page() -> String {
         }
     }
     text += &loads::sections();
-    text += "\n## Laws\n\nA break is where a derivative jumps; there the law has the derivatives of its right side.\n\n";
+    text += "\n## Laws\n\nA break is a point where a derivative jumps. At a break Kin uses the derivatives of the right side.\n\n";
     text += "| law | | parameters | lowest derivative that jumps |\n|---|---|---|---|\n";
     let mut known: Vec<&str> = Vec::new();
     for laws::Line { name, law, from, to } in laws::all() {
@@ -146,8 +157,7 @@ fn page() -> String {
         };
         let _ = writeln!(text, "| `{name}` | {} | {shown} | {order} |", tidy(law.description()));
     }
-    text +=
-        "\nA user-defined law: `#[law]` on a function of one variable, or `impl LawFunction`.\n";
+    text += "\nFor a user-defined law, put `#[law]` on a function of one variable or implement `LawFunction`.\n";
     text
 }
 

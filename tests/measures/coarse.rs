@@ -247,8 +247,8 @@ fn random_law(random: &mut Random, depth: usize) -> Law {
     }
 }
 
-/// The largest value of a function between 0 and 4 by itself: at many places, then by thirds about the
-/// best ones.
+/// The largest value of a function between 0 and 4 by itself: at many places, then by thirds about
+/// the best ones.
 fn largest(value: &impl Fn(f64) -> f64, sign: f64) -> f64 {
     const PLACES: usize = 8000;
     let at = |x: f64| sign * value(x);
@@ -273,7 +273,8 @@ fn largest(value: &impl Fn(f64) -> f64, sign: f64) -> f64 {
     sign * refined.fold(best, f64::max)
 }
 
-/// 40 random laws, or as many as `KIN_CAMPAIGN` says from `KIN_FIRST` on, on grids of 3 to 30 times.
+/// 40 random laws, or as many as `KIN_CAMPAIGN` says from `KIN_FIRST` on, on grids of 3 to 30
+/// times.
 #[test]
 fn extremes_of_random_laws_do_not_depend_on_the_grid() {
     let count: u64 = std::env::var("KIN_CAMPAIGN").ok().and_then(|n| n.parse().ok()).unwrap_or(40);
@@ -317,8 +318,8 @@ fn extremes_of_random_laws_do_not_depend_on_the_grid() {
     }
 }
 
-/// A stop that is touched for so short that no time of a grid sees it: its two kinks are events, and
-/// its smallest value is found, on each grid.
+/// A stop that is touched for so short that no time of a grid sees it: its two kinks are events,
+/// and its smallest value is found, on each grid.
 #[test]
 fn two_kinks_within_one_step_are_found_on_every_grid() {
     let law = Law::sine(0.3, 20.0, 0.7);

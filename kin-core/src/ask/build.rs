@@ -1,4 +1,4 @@
-//! From a mechanism to its system, and what can be asked of one that is not built.
+//! Builds the system of a mechanism, and diagnoses a mechanism that is not built.
 
 use std::sync::Arc;
 
@@ -15,11 +15,11 @@ use crate::system::System;
 use crate::system::evaluate::Equations;
 
 impl Mechanism {
-    /// The system of its equations, the norm constraints of spatial bodies appended. It may have
-    /// more equations than coordinates.
+    /// Builds the system of the equations, with the norm constraints of spatial bodies at the end.
+    /// The system may have more equations than coordinates.
     ///
-    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at
-    /// t = 0); a mistake in [`Mechanism::prefer`].
+    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at t
+    /// = 0), a mistake in a call without a result, such as [`Mechanism::prefer`].
     pub fn build(self) -> Result<System> {
         let system = self.system()?;
         if system.n_equations() < system.n_coordinates() {
@@ -31,10 +31,8 @@ impl Mechanism {
         Ok(system)
     }
 
-    /// Diagnoses the mechanism at a time, whether it can be driven or not: counts, rank,
-    /// dependencies between equations and freedoms by name. It is assembled from its guess; with a
-    /// pose, `diagnose((t, &q))`, from that pose (length n, in the order in which coordinates were
-    /// declared).   \[m, rad\]
+    /// Diagnoses the mechanism at time t, assembled from its guess, whether it can be driven or
+    /// not.
     ///
     /// Errors: those of [`Mechanism::build`] but for the count; t not finite, a pose of the wrong
     /// length, nothing finite nearby.
@@ -42,10 +40,12 @@ impl Mechanism {
         self.clone().system()?.diagnose(at)
     }
 
-    /// Holds every turn that moves nothing else, such as that of a rod between two balls about its
-    /// own axis: one equation each, named `BODY.idle`, by which the body stays turned about that
-    /// axis as it is at t =
-    /// 0. Gives the bodies that are held; none where there is no such turn.
+    /// Holds every rotation that moves nothing else, such as that of a rod between two ball joints
+    /// about its axis.
+    ///
+    /// Each such rotation gets one equation with the name `BODY.idle`, which keeps the body at its
+    /// angle at t = 0. Returns the names of these bodies; the list is empty if there is no such
+    /// rotation.
     ///
     /// Errors: those of [`Mechanism::diagnose`].
     pub fn hold_idle_turns(&mut self) -> Result<Vec<String>> {
@@ -102,7 +102,7 @@ impl Mechanism {
     }
 }
 
-/// Errors unless all that loads act along by a name is there.
+/// Returns an error unless every name along which a load acts exists.
 fn act_along_what_there_is(system: &System) -> Result<()> {
     for (load, all) in &system.loads.loads {
         let mut unknown = None;

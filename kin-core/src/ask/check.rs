@@ -1,5 +1,5 @@
-//! Checking a constraint or a law of one's own, in one line of a test: symbolic code against dual
-//! numbers, term by term, and both against central differences of the function as it was written.
+//! Checks a user-defined constraint or law in one line of a test. It compares symbolic code with
+//! dual numbers, term by term, and both with central differences of the function as it was written.
 //!
 //! ```
 //! use kin::prelude::*;
@@ -31,43 +31,47 @@ use crate::model::dual_route::{ArgumentKind, Equation};
 use crate::model::terms::{Terms, dual_terms, terms};
 use central::Central;
 
-/// How far apart two routes are, at the worst.
+/// The largest differences between the routes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
-    /// Largest difference of a term between the constraint's own route and dual numbers, relative
-    /// to 1 + the largest entry of the term.
+    /// Largest difference of a term between the constraint's route and dual numbers, relative to 1
+    /// + the largest entry of the term.
     pub routes: f64,
-    /// Largest difference of C, C_q, C_t, and of Q_d from central differences, relative as above.
+    /// Largest difference of C, C_q, C_t and Q_d from central differences, with the same relative
+    /// measure.
     pub differences: f64,
-    /// Number of states at which interval bounds of C and C_q over boxes around it, those of
-    /// [`crate::System::prove`], were known; all values lie within.
+    /// Number of states at which the interval bounds of C and C_q, which [`crate::System::prove`]
+    /// uses, were known over boxes around the state. All values are within these bounds.
     pub bounded: usize,
-    /// Number of states compared. States where the function or a derivative is not finite are left
-    /// out.
+    /// Number of compared states. States with a function or derivative that is not finite are
+    /// omitted.
     pub states: usize,
 }
 
-/// Largest relative difference between routes that counts as rounding.
+/// The largest relative difference between routes that counts as rounding.
 pub const ROUTES_TOLERANCE: f64 = 1e-12;
-/// Largest relative difference from central differences (step 1e-5) that counts as their own error.
+/// The largest relative difference from central differences (step 1e-5) that counts as the error of
+/// the differences.
 pub const DIFFERENCES_TOLERANCE: f64 = 1e-6;
-/// The seed of the states of [`derivatives`] and [`compare`]: the same ones in every run.
+/// The seed of the states of [`derivatives`] and [`compare`]. Every run uses the same states.
 pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Asserts that all routes to the derivatives of `equation` agree and lie within their interval
-/// bounds, at 24 states spread over ±2 (m, rad, /s; Euler parameters near length one) and t in 0..4
-/// s, the same in every run.
+/// Asserts that all routes to the derivatives of `equation` agree and are within their interval
+/// bounds.
 ///
-/// For a test: panics with a table of the entries that do not agree, and their state. [`compare`]
-/// returns the same as a value.
+/// It compares 24 states within ±2 (m, rad, /s; Euler parameters near length one) and t in 0..4 s.
+/// Every run uses the same states.
+///
+/// Use it in a test: it panics with a table of the entries that disagree, and their state.
+/// [`compare`] returns the table as a value.
 pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: E) {
     if let Err(mismatch) = compare::<E, N, M>(&equation) {
         panic!("{mismatch}");
     }
 }
 
-/// Compares all routes to the derivatives of `equation` at 24 states; the first state where they
+/// Compares all routes to the derivatives of `equation` at 24 states. The first state at which they
 /// disagree is the error.
 pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
@@ -75,7 +79,7 @@ pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     compare_from::<E, N, M>(equation, SEED)
 }
 
-/// The same at 24 other states, which `seed` chooses.
+/// Compares all routes at 24 other states, which `seed` selects.
 pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     seed: u64,
@@ -95,8 +99,8 @@ pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     Ok(report)
 }
 
-/// Brings Euler parameters to a length within a tenth of one: an iterate of Newton's method is not
-/// farther off.
+/// Brings Euler parameters to a length within a tenth of one. An iterate of Newton's method is not
+/// further off.
 fn near_one(arguments: &[ArgumentKind], q: &mut [f64], spread: &mut Spread) {
     let mut column = 0;
     for kind in arguments {
@@ -110,7 +114,7 @@ fn near_one(arguments: &[ArgumentKind], q: &mut [f64], spread: &mut Spread) {
     }
 }
 
-/// Compares all routes at one state of one's own choice.
+/// Compares all routes at one state that you choose.
 pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],
@@ -160,7 +164,7 @@ fn at_state<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
 }
 
 impl Central {
-    /// The terms that central differences give.
+    /// Returns the term from central differences, if they determine it.
     fn term(&self, term: &str) -> Option<&DMatrix<f64>> {
         match term {
             "C" => Some(&self.c),
@@ -172,7 +176,7 @@ impl Central {
     }
 }
 
-/// max |a − b|; infinite where either is not a number.
+/// Returns max |a − b|, or infinity if an entry is NaN.
 fn distance(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
     a.iter().zip(b.iter()).map(|(a, b)| (a - b).abs()).fold(0.0, |m, d| {
         if d <= m {
@@ -185,8 +189,8 @@ fn distance(a: &DMatrix<f64>, b: &DMatrix<f64>) -> f64 {
     })
 }
 
-/// The three parts of Q_d come from one right side, so they are exact to rounding of the largest of
-/// them.
+/// Returns true for the three parts of Q_d. They come from one right side, so they are exact to
+/// rounding of the largest of them.
 fn of_the_right_side(term: &str) -> bool {
     matches!(term, "(C_q qd)_q qd" | "C_qt qd" | "C_tt" | "Q_d")
 }
@@ -211,7 +215,7 @@ fn pairs(a: &Terms, b: &Terms) -> [(&'static str, DMatrix<f64>, DMatrix<f64>); 7
     ]
 }
 
-/// Reproducible numbers spread over ±2 (SplitMix64).
+/// Reproducible random numbers within ±2 (SplitMix64).
 struct Spread(u64);
 
 impl Spread {

@@ -1,5 +1,5 @@
-//! Questions about mechanisms and motions: the calls of a system, diagnosis, proof, measures, and
-//! whether the routes to derivatives agree.
+//! The analyses of mechanisms and motions: the calls of a system, diagnosis, proof, measures, and
+//! the check of derivative routes.
 
 mod build;
 mod calls;

@@ -1,58 +1,66 @@
 //! Proof that a computed motion is the motion of the mechanism:
 //! [`System::prove`](crate::System::prove).
 //!
-//! # What is shown
-//! For a step from t_k to t_(k+1) let p(t) be the polynomial of fifth degree through q, q̇ and q̈
-//! at both ends, as computed. Shown is that at every t of the step C(q, t) = 0 has a solution no
-//! further from p(t) than [`Tube::radius`], and no other one within [`Tube::alone`]; that this
-//! solution is continuous in t; and that it is the one beside the computed position at either end,
-//! whose distance from it is bounded too ([`Proof::error`]). Solutions of neighbouring steps are
-//! the same where they meet: proved steps in a row are one motion.
+//! # What a proof shows
+//! For a step from t_k to t_(k+1) let p(t) be the quintic polynomial through the computed q, q̇ and
+//! q̈ at both ends. A proof of the step shows the following:
+//!
+//! * At every t of the step C(q, t) = 0 has a solution within [`Tube::radius`] of p(t), and no
+//!   other solution within [`Tube::alone`].
+//! * This solution is continuous in t.
+//! * The solution is the one next to the computed position at each end. [`Proof::error`] bounds
+//!   their distance.
+//!
+//! Solutions of neighbouring steps are equal where the steps meet, so consecutive proved steps are
+//! one motion.
 //!
 //! # How
-//! The step is cut into pieces. With T the times of a piece, A near C_q⁻¹ in its middle, and Y the
-//! box |y_j| ≤ ρ s_j (s_j the characteristic size of a coordinate):
-//! * **C along the curve**, c(t) = C(p(t), t), is bounded over T by Taylor's formula, Σ_(k<6) c_k
-//!   σᵏ + c_6 σ⁶ with c_k at the middle of T and c_6 over all of T (`numbers/enclosure/series.rs`):
-//!   the bound shrinks like the error of the interpolation, h⁶, and not like the step.
-//! * **C_q over p(T) + Y**, its entries over that box, gives R ≥ |I − A C_q| entry by entry.
-//! * **Krawczyk's test** (`krawczyk.rs`): for b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s,
-//!   the map y ↦ y − A C(p(t) + y, t) takes the box of y into that of z at each t of T: there is a
-//!   solution within z (Brouwer). R y < y makes the spectral radius of R less than 1 (Collatz and
-//!   Wielandt), so every matrix between the bounds of C_q is regular, the means of C_q along
-//!   straight lines in the box among them. So C has no value twice in the box: there is no second
-//!   solution within ρ s. The only solution, at every t, of a continuous C in a closed box is
-//!   continuous in t. Krawczyk, *Computing* 4 (1969); Neumaier, *Interval Methods for Systems of
-//!   Equations*, ch. 5.
-//! * **Joins.** At the time at which two pieces meet each has one solution. If the z of one lies in
-//!   the box ρ s of the other (around the same p; at the ends of a step what p has lost by rounding
-//!   is added), the solution of the first is a solution in the second's box, where there is only
-//!   one: they are the same. Each computed position is a piece of its own, without length; steps
-//!   are joined to those at their ends, and through them to one another.
+//! Kin divides the step into pieces. Let T be the times of a piece, A an approximation of C_q⁻¹ in
+//! its middle, and Y the box |y_j| ≤ ρ s_j, where s_j is the characteristic size of a coordinate.
 //!
-//! Pieces that fail are halved, 14 times at most, and at most 256 are tested in a step; then it is
-//! told when and why. At a singular position (a toggle, a change point) the bounds of C_q hold a
-//! singular matrix: no step over one is ever proved.
+//! * **C along the curve**, c(t) = C(p(t), t), has bounds over T by Taylor's formula Σ_(k<6) c_k σᵏ
+//!   + c_6 σ⁶, with c_k at the middle of T and c_6 over all of T (`numbers/enclosure/series.rs`).
+//!   The bound shrinks like the error of the interpolation, h⁶, and not like the step.
+//! * **C_q over p(T) + Y** gives R ≥ |I − A C_q| entry by entry.
+//! * **Krawczyk's test** (`krawczyk.rs`) needs b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s.
+//!   The map y ↦ y − A C(p(t) + y, t) then maps the box of y into the box of z at each t of T, so a
+//!   solution exists within z (Brouwer). R y < y makes the spectral radius of R less than 1
+//!   (Collatz and Wielandt). So every matrix between the bounds of C_q is regular, including the
+//!   means of C_q along straight lines in the box. C therefore has no value twice in the box, and
+//!   there is no second solution within ρ s. The only solution, at every t, of a continuous C in a
+//!   closed box is continuous in t. Krawczyk, *Computing* 4 (1969); Neumaier, *Interval Methods for
+//!   Systems of Equations*, ch. 5.
+//! * **Joins.** At the time at which two pieces meet, each has one solution. If the z of one is in
+//!   the box ρ s of the other, the solution of the first is a solution in the box of the second.
+//!   That box has only one solution, so both are equal. At the ends of a step Kin adds the rounding
+//!   of p. Each computed position is a piece without length. Steps are joined to the positions at
+//!   their ends, and through them to one another.
 //!
-//! # What it stands on
-//! * Interval arithmetic rounded outwards (`numbers/enclosure/interval.rs`); f64's functions are
-//!   allowed an error of 8 units in the last place, which is far more than is found at their worst
-//!   arguments (`numbers/enclosure/tests/accuracy.rs`).
-//! * The equation as it was written, decimals as decimals, with its parameters as they are in
-//!   memory: its steps (`model/formula.rs`) are interpreted, not the code that was made of them.
-//!   What the user's program computes of parameters alone is taken as it gives it.
-//! * Every row is continuous over the whole box, not only along the curve: what can jump there
-//!   (floor, `%`, an `if`, an angle over its cut in what does not repeat) is no proof, whether C_q
-//!   has an entry for it or not.
-//! * Laws as their formulas mean them (π is π). Pieces of a law that meet but for rounding meet
-//!   (`numbers/enclosure/pieces.rs`), and at their seam as many derivatives count as agree. An
-//!   angle by `atan2` goes on across its cut where what reads it (sine, cosine, a law whose formula
-//!   repeats) does not mind whole turns.
-//! * The bounds of laws of the program's own that tell them, by name: [`Proof::trusted`].
+//! Kin halves a piece that fails, at most 14 times, and tests at most 256 pieces in a step. Then it
+//! reports the time and the reason. At a singular position (a toggle, a change point) the bounds of
+//! C_q contain a singular matrix, so Kin never proves a step over one.
 //!
-//! Nothing is proved of mechanisms with superfluous equations (numbers do not show that those left
-//! over hold exactly), of constraints on the dual route or written by hand, of laws without an
-//! expression, and of steps in which the condition of an `if` changes.
+//! # Assumptions
+//! * Interval arithmetic rounds outwards (`numbers/enclosure/interval.rs`). The functions of `f64`
+//!   may have an error of 8 units in the last place, far more than their observed worst errors
+//!   (`numbers/enclosure/tests/accuracy.rs`).
+//! * The equation is the one that the user wrote, with decimals as decimals and with its parameters
+//!   as they are in memory. Kin interprets its formula (`model/formula.rs`), not the compiled code.
+//!   It relies on the values that the user's program computes from parameters alone.
+//! * Every row is continuous over the whole box, not only along the curve. If something can jump
+//!   there (floor, `%`, an `if`, an angle over its cut), Kin proves nothing, whether C_q has an
+//!   entry for it or not.
+//! * Laws are exact formulas (π is π). Pieces of a law that meet within rounding meet exactly
+//!   (`numbers/enclosure/pieces.rs`); at their seam only derivatives that agree count. An angle by
+//!   `atan2` is continuous across its cut if its use (sine, cosine, a law whose formula repeats)
+//!   does not depend on full revolutions.
+//! * The bounds that user-defined laws state are correct; [`Proof::trusted`] names these laws.
+//!
+//! # Limits
+//! Kin proves nothing about mechanisms with redundant equations, because numbers do not show that
+//! the omitted equations hold exactly. It also proves nothing about constraints on the dual route
+//! or written by hand, about laws without an expression, and about steps in which the condition of
+//! an `if` changes.
 
 mod bounds;
 mod krawczyk;
@@ -74,11 +82,11 @@ pub(crate) use krawczyk::settled;
 use krawczyk::{Around, Fault, Test};
 use step::{Curve, Failure, step};
 
-/// Mechanisms with more coordinates are refused: the inverse of C_q is a full matrix, some 10 n³
+/// The largest number of coordinates. The inverse of C_q is a full matrix, which costs about 10 n³
 /// operations for each piece.
 const LARGEST: usize = 400;
 
-/// The proof of a motion, step by step. Its text is the verdict.
+/// The proof of a motion, step by step. `Display` writes the verdict.
 #[derive(Clone, Debug)]
 pub struct Proof {
     name: String,
@@ -89,30 +97,30 @@ pub struct Proof {
     trusted: Vec<String>,
 }
 
-/// One step of a motion.
+/// The proof of one step of a motion.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct StepProof {
-    /// Its number, counted from 0: it goes from time k of the motion to the next.
+    /// The index of the step, counted from 0: it goes from time k of the motion to the next.
     pub step: usize,
-    /// The time at which it begins.   \[s\]
+    /// The start of the step. \[s\]
     pub from: f64,
-    /// The time at which it ends.   \[s\]
+    /// The end of the step. \[s\]
     pub to: f64,
     /// The tube around it in which the motion is the only solution, or what stands in the way of
     /// showing that.
     pub tube: std::result::Result<Tube, Unproved>,
 }
 
-/// How near the solution is, and how far away the next one at least: one number for each
-/// coordinate.   \[m, rad\]
+/// Bounds for each coordinate: the distance of the solution, and the smallest distance of the next
+/// one. \[m, rad\]
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tube {
-    /// At every time there is a solution no further than this from the position interpolated by q,
-    /// q̇ and q̈ at both ends.
+    /// The largest distance of the solution from the position interpolated by q, q̇ and q̈ at both
+    /// ends, at every time.
     pub radius: Vec<f64>,
-    /// No other solution is within this distance of that position.
+    /// The distance from that position within which there is no other solution.
     pub alone: Vec<f64>,
 }
 
@@ -120,7 +128,7 @@ pub struct Tube {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Unproved {
-    /// Where in the step.   \[s\]
+    /// The time within the step. \[s\]
     pub t: f64,
     /// Names of the units of length and time.
     pub units: Units,
@@ -128,45 +136,47 @@ pub struct Unproved {
     pub reason: UnprovedReason,
 }
 
-/// The obstacles to a proof.
+/// The kinds of obstacles to a proof.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum UnprovedReason {
-    /// C_q may be singular: two solutions may meet.
+    /// C_q may be singular, so two solutions may meet.
     Singular {
-        /// The coordinate that can move most while everything else is nearly met.
+        /// The coordinate that can move most while everything else is nearly satisfied.
         coordinate: String,
     },
-    /// The positions between both ends are not near any solution: both ends may be on different
+    /// The positions between both ends are not near a solution: the ends may be on different
     /// branches, or the step is too large.
     Apart {
-        /// The equation that is missed most.
+        /// The equation with the largest residual.
         equation: String,
-        /// Its residual, in its unit.
+        /// The residual, in the unit of the equation.
         by: f64,
     },
-    /// No bounds of an equation are known there: something in it jumps, or has no value or slope.
+    /// An equation has no known bounds there: something in it jumps, or has no value or slope.
     Unbounded {
         /// The equation.
         equation: String,
-        /// The expression in it, as the user wrote it, if it is known.
+        /// The expression in the equation, as the user wrote it; `None` if it is unknown.
         expression: Option<String>,
-        /// Where it stands.
+        /// The place of the expression; `None` if it is unknown.
         source: Option<Source>,
     },
 }
 
 impl System {
-    /// For each step of a motion a proof, by interval bounds, that exactly one continuous motion
-    /// leads from one computed position to the next, or what stands in the way of one. See
-    /// [`crate::ask::proof`] for what exactly is shown, and what it stands on.
+    /// Proves for each step of a motion that exactly one continuous motion leads from one computed
+    /// position to the next.
     ///
-    /// It takes some hundred times as long as the run did, and goes to all cores; with the number n
-    /// of coordinates it grows like n³.
+    /// The proof uses interval bounds. For a step without a proof it contains the reason.
+    /// [`crate::results::proof`] describes what a proof shows and what it assumes.
     ///
-    /// Errors: [`Error::CannotBeProved`] for a mechanism with superfluous equations or with more
-    /// than 400 coordinates, and for a constraint or law of which no bounds can be had; a motion of
-    /// another system.
+    /// A proof takes some hundred times as long as the run and uses all cores. Its time grows like
+    /// n³ with the number n of coordinates.
+    ///
+    /// Errors: [`Error::CannotBeProved`] for a mechanism with redundant equations or with more than
+    /// 400 coordinates, and for a constraint or law without known bounds; a motion of another
+    /// system.
     pub fn prove(&self, motion: &Motion) -> Result<Proof> {
         self.own(motion)?;
         self.provable()?;
@@ -212,7 +222,7 @@ impl System {
         })
     }
 
-    /// An error unless C_q is square and not too large.
+    /// Returns an error unless C_q is square and not too large.
     pub(crate) fn provable(&self) -> Result<()> {
         let n = self.n_coordinates();
         let m = self.n_equations();
@@ -231,7 +241,7 @@ impl System {
         Err(Error::CannotBeProved { what: format!("a motion of \"{}\"", self.name()), reason })
     }
 
-    /// Characteristic sizes of coordinates in a motion.
+    /// Returns the characteristic sizes of the coordinates of a motion.
     pub(crate) fn sizes_of(&self, motion: &Motion) -> Vec<f64> {
         let t = motion.times().first().copied().unwrap_or_default();
         let first = if motion.is_empty() { self.initial() } else { motion.q(0) };
@@ -259,8 +269,8 @@ impl System {
         Unproved { t, units: self.unit_words().clone(), reason }
     }
 
-    /// The coordinate that moves most, in its characteristic size, along what C_q nearly leaves
-    /// free.
+    /// Returns the coordinate that moves most, relative to its characteristic size, in the
+    /// direction that C_q nearly leaves free.
     pub(crate) fn loosest(&self, q: &[f64], t: f64, sizes: &[f64]) -> String {
         let found = self.jacobian(q, t).ok().and_then(|mut c_q| {
             c_q.column_iter_mut().zip(sizes).for_each(|(mut column, size)| column *= *size);
@@ -280,35 +290,37 @@ impl From<Around> for Tube {
 }
 
 impl Proof {
-    /// True if every step was proved, and every position of a motion without steps.
+    /// Returns true if every step is proved, and every position of a motion without steps.
     pub fn is_complete(&self) -> bool {
         self.steps.iter().all(|step| step.tube.is_ok())
             && self.positions.iter().all(std::result::Result::is_ok)
     }
 
-    /// All steps, in their order.
+    /// Returns all steps in order.
     pub fn steps(&self) -> &[StepProof] {
         &self.steps
     }
 
-    /// How many steps were proved.
+    /// Returns the number of proved steps.
     pub fn proved(&self) -> usize {
         self.steps.iter().filter(|step| step.tube.is_ok()).count()
     }
 
-    /// The laws, each with its constraint, whose bounds are taken on their own word: laws of the
-    /// program's own that tell them ([`crate::model::law::LawFunction::over`]).
+    /// Returns the user-defined laws whose stated bounds the proof relies on
+    /// ([`crate::model::law::LawFunction::over`]), each with its constraint.
     pub fn trusted(&self) -> &[String] {
         &self.trusted
     }
 
-    /// The first step that was not proved.
+    /// Returns the first step without a proof.
     pub fn first_unproved(&self) -> Option<&StepProof> {
         self.steps.iter().find(|step| step.tube.is_err())
     }
 
-    /// Bounds of the distance of computed position k from the solution beside it, for each
-    /// coordinate; `None` where none was found, or beyond the last time.   \[m, rad\]
+    /// Returns bounds of the distance of computed position k from the solution, for each
+    /// coordinate. \[m, rad\]
+    ///
+    /// Returns `None` if Kin found no bounds, or if k is beyond the last time.
     pub fn error(&self, k: usize) -> Option<&[f64]> {
         Some(&self.positions.get(k)?.as_ref().ok()?.radius)
     }

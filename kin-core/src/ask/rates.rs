@@ -1,4 +1,4 @@
-//! The rates that follow from the equations at one pose: q̇, q̈ and q⃛.
+//! The derivatives q̇, q̈ and q⃛ that the equations determine at one pose.
 
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::model::error::Result;
@@ -6,7 +6,7 @@ use crate::solve::newton::redundant;
 use crate::system::System;
 
 impl System {
-    /// q̇ at a position q, from C_q q̇ = −C_t. Errors: wrong length, not finite, singular.
+    /// Returns q̇ at a position q, from C_q q̇ = −C_t. Errors: wrong length, not finite, singular.
     pub fn velocity(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let rhs: Vec<f64> = self.c_t(q, t)?.into_iter().map(|x| -x).collect();
         let qd = self.solved(q, t, &rhs)?;
@@ -14,8 +14,8 @@ impl System {
         Ok(qd)
     }
 
-    /// q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not finite,
-    /// singular.
+    /// Returns q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not
+    /// finite, singular.
     pub fn acceleration(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
         let q_d = self.acceleration_rhs(q, qd, t)?;
         let qdd = self.solved(q, t, &q_d)?;
@@ -23,8 +23,9 @@ impl System {
         Ok(qdd)
     }
 
-    /// q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0). Errors: those of
-    /// [`System::jerk_rhs`], singular.
+    /// Returns q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0).
+    ///
+    /// Errors: those of [`System::jerk_rhs`], singular.
     pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
         let rhs = self.jerk_rhs(q, qd, qdd, t)?;
         let qddd = self.solved(q, t, &rhs)?;
@@ -32,8 +33,8 @@ impl System {
         Ok(qddd)
     }
 
-    /// C_q⁻¹ times the right side, with the sizes of that point; in the sense of least squares
-    /// where there are more equations.
+    /// Returns C_q⁻¹ times the right side, with the sizes of that point. With redundant equations
+    /// it is the least-squares solution.
     fn solved(&self, q: &[f64], t: f64, rhs: &[f64]) -> Result<Vec<f64>> {
         if self.is_redundant() {
             return redundant::solved(self, q, t, rhs, EXPLAIN);

@@ -1,4 +1,4 @@
-//! Dimensions in mechanism files: the named numbers, and expressions of them where numbers stand.
+//! Dimensions in mechanism files: named numbers, and expressions of them in place of numbers.
 
 mod number;
 mod texts;
@@ -22,23 +22,24 @@ pub(super) use texts::Texts;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct DimensionData {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// Its nominal value, or the expression that it is a name for.
+    /// The nominal value, or the expression that has this name.
     pub value: NumberData,
-    /// Its unit, a word.
+    /// The unit, as text.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub unit: String,
-    /// The range that it keeps to.
+    /// The permitted range; `None` for no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<[f64; 2]>,
-    /// How far it may be off.
+    /// The tolerance; `None` for none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
-    /// How it is distributed; normal if nothing is said.
+    /// The distribution; normal if it is `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub distribution: Option<Distribution>,
-    /// The clearance that it is one of the two dimensions of; its distribution is a disc.
+    /// The clearance of which this is one of two dimensions; its distribution is a disc. `None` for
+    /// any other dimension.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clearance: Option<String>,
 }
@@ -49,12 +50,12 @@ fn too_long() -> Error {
     Error::Data { place: "dimensions".to_string(), reason: reason.to_string() }
 }
 
-/// True if a numeric parameter is one of the parameter of the function that is called `key`.
+/// Returns true if a numeric parameter belongs to the function's parameter `key`.
 fn is_of(name: &str, key: &str) -> bool {
     name.strip_prefix(key).is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
 }
 
-/// The numeric parameters of the parameter of the function that is called `key`, in their order.
+/// Returns the numeric parameters that belong to the function's parameter `key`, in order.
 fn names(of: &dyn Constraint, key: &str) -> Vec<String> {
     let mut names = Vec::new();
     of.parameters(&mut |name, _| {
@@ -75,14 +76,15 @@ pub(super) struct Found {
 
 /// The place of a number within a parameter.
 enum Within {
-    /// After so many others.
+    /// Its index in a list.
     List(usize),
-    /// Of this name in a law.
+    /// Its name in a law.
     Law(String),
 }
 
-/// The value with numbers in place of expressions, which are noted, and the numbers of a list
-/// beside them as constants. Errors: one that cannot be read.
+/// Returns the value with numbers in place of expressions, and records the expressions. In a list
+/// with an expression the other numbers are recorded as constants. Errors: an expression that
+/// cannot be read.
 pub(super) fn without_expressions(
     mechanism: &Mechanism,
     key: &str,
@@ -154,8 +156,8 @@ fn replace_in_law(
         .try_for_each(|(name, part)| replace_in_law(part, &format!("{before}{name}."), note))
 }
 
-/// The data of a law with numbers in place of expressions, and those by the names of the law's
-/// numbers. Errors: an expression that cannot be read.
+/// Returns the data of a law with numbers in place of expressions, and the expressions by the names
+/// of the law's numbers. Errors: an expression that cannot be read.
 pub(super) fn law_without_expressions(
     mechanism: &Mechanism,
     law: &Value,
@@ -169,7 +171,8 @@ pub(super) fn law_without_expressions(
     Ok((plain, found.into_iter().filter_map(named).collect()))
 }
 
-/// Which parameters of a constraint the expressions are. Errors: one that is none.
+/// Returns the parameters of a constraint that are expressions. Errors: an expression that belongs
+/// to no parameter.
 pub(super) fn bound(
     of: &dyn Constraint,
     found: Vec<Found>,
@@ -177,7 +180,7 @@ pub(super) fn bound(
     let parameter = |Found { key, place, number }: Found| {
         let own = names(of, &key);
         let name = match place {
-            // An axis is told from a vector by its numbers that are not shown.
+            // An axis has more numbers than it shows, which distinguishes it from a vector.
             Within::List(k)
                 if k < 6 && of.clone_boxed().set_parameter(&Axis::name_of(&key, k), 1.0) =>
             {
@@ -198,11 +201,13 @@ pub(super) fn bound(
 }
 
 impl Mechanism {
-    /// The number that an expression of this mechanism's dimensions says, such as `crank / 2` or
-    /// `hypot(dx, dy)`, as mechanism files have them. Names that are no words stand in backticks.
+    /// Evaluates an expression of this mechanism's dimensions, such as `crank / 2` or `hypot(dx,
+    /// dy)`, in the syntax of mechanism files.
     ///
-    /// Errors: a text that is no expression, names what is no dimension, or is infinite or not a
-    /// number.
+    /// Names that are no words are in backticks.
+    ///
+    /// Errors: a text that is no expression, a name that no dimension has, a result that is
+    /// infinite or NaN.
     pub fn expression(&self, text: &str) -> Result<Dimension> {
         let place = "dimensions".to_string();
         self.read_expression(text).map_err(|reason| Error::Data { place, reason })
@@ -216,14 +221,14 @@ impl Mechanism {
         }
     }
 
-    /// The dimension of that name.
+    /// Returns the dimension with this name.
     pub fn dimension_named(&self, name: &str) -> Option<Dimension> {
         let store = self.dimensions.as_ref()?.store();
         let entry = store.entries.iter().find(|entry| entry.name == name)?;
         Some(Dimension::new(entry.value, self.layout.mechanism, entry.node))
     }
 
-    /// A number of a file. Errors: an expression that cannot be read, or is not finite.
+    /// Returns a number of a file. Errors: an expression that cannot be read, or is not finite.
     pub(super) fn number(&self, place: &str, number: &NumberData) -> Result<Dimension> {
         match number {
             NumberData::Number(x) => Ok((*x).into()),
@@ -233,7 +238,7 @@ impl Mechanism {
         }
     }
 
-    /// The dimensions as data. Errors: an expression that is too long to be written.
+    /// Returns the dimensions as data. Errors: an expression that is too long.
     pub(super) fn dimension_data(&self) -> Result<Vec<DimensionData>> {
         let Some(shared) = &self.dimensions else { return Ok(Vec::new()) };
         let store = shared.store();
@@ -254,8 +259,8 @@ impl Mechanism {
         store.entries.iter().enumerate().map(data).collect()
     }
 
-    /// Makes the dimensions of a file, each after those that it is an expression of. Errors: an
-    /// expression that cannot be read, or that comes back to itself.
+    /// Declares the dimensions of a file, each after those on which it depends. Errors: an
+    /// expression that cannot be read, or a cyclic one.
     pub(super) fn add_dimensions(&mut self, all: &[DimensionData]) -> Result<()> {
         let mut open: Vec<&DimensionData> = all.iter().collect();
         while !open.is_empty() {
@@ -298,7 +303,8 @@ impl Mechanism {
     }
 }
 
-/// The first dimension of the file that an expression names and that is not made yet.
+/// Returns the first dimension in an expression that the file contains and that is not declared
+/// yet.
 fn unmade<'a>(
     data: &DimensionData,
     all: &'a [DimensionData],
@@ -316,7 +322,7 @@ fn unmade<'a>(
     first
 }
 
-/// The error for expressions that come back to themselves.
+/// Builds the error for cyclic expressions.
 fn circle(from: &DimensionData, all: &[DimensionData], made: &Mechanism) -> Error {
     let mut way = vec![from];
     while let Some(next) = way.last().and_then(|last| unmade(last, all, made)) {

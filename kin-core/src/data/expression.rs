@@ -1,13 +1,13 @@
-//! Expressions of dimensions as a file has them, read: `crank / 2`, `hypot(dx, dy)`.
+//! Reads expressions of dimensions from a file: `crank / 2`, `hypot(dx, dy)`.
 
 use kin_graph::{Function, Function2};
 
 use crate::model::dimension::Dimension;
 
-/// Expressions are not nested deeper.
+/// The largest depth of nested expressions. It keeps the recursive reader within the stack.
 const DEEPEST: usize = 200;
 
-/// The number that the text says, names being looked up. Errors: the fault in words.
+/// Returns the number of the text; `names` looks up dimensions. Errors: the mistake in words.
 pub(super) fn read(
     text: &str,
     named: &mut dyn FnMut(&str) -> Option<Dimension>,
@@ -20,7 +20,7 @@ pub(super) fn read(
     number.map_err(|reason| format!("the expression `{text}`: {reason}"))
 }
 
-/// The rest of a text, and what its names stand for.
+/// The rest of a text, with the meaning of its names.
 struct Reader<'a> {
     rest: &'a str,
     depth: usize,
@@ -28,13 +28,13 @@ struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// The next letter that is no space.
+    /// Returns the next character that is no space.
     fn peek(&mut self) -> Option<char> {
         self.rest = self.rest.trim_start();
         self.rest.chars().next()
     }
 
-    /// True, and it is taken, if that is the next letter.
+    /// Takes the next character and returns true if it is this one.
     fn takes(&mut self, letter: char) -> bool {
         let there = self.peek() == Some(letter);
         if there {
@@ -43,7 +43,7 @@ impl<'a> Reader<'a> {
         there
     }
 
-    /// The letters from here on for which it holds.
+    /// Takes characters as long as the condition holds.
     fn word(&mut self, holds: impl Fn(char) -> bool) -> &'a str {
         let end = self.rest.find(|c| !holds(c)).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(end);
@@ -122,7 +122,7 @@ impl<'a> Reader<'a> {
         text.parse().map(|x: f64| x.into()).map_err(|_| format!("`{text}` is no number"))
     }
 
-    /// The inside of brackets.
+    /// Reads the content of brackets.
     fn bracketed<T>(
         &mut self,
         inside: impl FnOnce(&mut Self) -> Result<T, String>,

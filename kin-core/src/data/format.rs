@@ -15,166 +15,166 @@ use crate::model::units::Units;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct MechanismData {
-    /// Version of this format.
+    /// The version of this format.
     #[serde(default = "is_first")]
     pub format: u32,
-    /// Name of the mechanism.
+    /// The name of the mechanism.
     pub name: String,
-    /// Names of its units.
+    /// The names of its units.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
-    /// Equations of constraints of one's own, as text in the language of `#[constraint]`.
+    /// The equations of user-defined constraints, as text in the language of `#[constraint]`.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub equations: Vec<String>,
-    /// Named dimensions.
+    /// The named dimensions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub dimensions: Vec<DimensionData>,
-    /// Bodies and bare coordinates in their order.
+    /// The bodies and scalar coordinates in order.
     pub bodies: Vec<BodyData>,
-    /// Constraints in their order.
+    /// The constraints in order.
     pub constraints: Vec<ConstraintData>,
-    /// Ranges that measures should keep to.
+    /// The permitted ranges of measures.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub limits: Vec<LimitData>,
-    /// Measures by whose values an assembly is preferred.
+    /// The measures whose values select an assembly.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preferred: Vec<PreferredData>,
-    /// Masses of bodies, by their names.
+    /// The masses of bodies, by name.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub masses: Vec<MassData>,
-    /// Points with mass in their order.
+    /// The points with mass in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub point_masses: Vec<PointMassData>,
-    /// The acceleration of gravity.
+    /// The acceleration of gravity; `None` for zero.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gravity: Option<[NumberData; 3]>,
-    /// Loads in their order.
+    /// The loads in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<LoadData>,
-    /// Dry friction in joints, by their names.
+    /// The dry friction in joints, by name.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frictions: Vec<FrictionData>,
 }
 
-/// Forces of a motion: everything that is unique as columns, each with its unit.
+/// The forces of a motion: every unique quantity as a column with its unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ForcesData {
-    /// Version of the format.
+    /// The version of the format.
     #[serde(default = "is_first")]
     pub format: u32,
-    /// Name of the mechanism.
+    /// The name of the mechanism.
     pub mechanism: String,
-    /// Names of the units that those of the columns are made of.
+    /// The names of the units of which those of the columns consist.
     pub units: Units,
     /// The times.
     pub times: Vec<f64>,
-    /// Efforts and powers of drives, components of reactions, energies.
+    /// The efforts and powers of drivers, components of reactions, energies.
     pub columns: Vec<ColumnData>,
-    /// The largest power that the balance leaves over, as a share of the largest power.
+    /// The largest difference of the balance of powers, as a share of the largest power.
     pub left_over: f64,
 }
 
-/// A number over time.
+/// A quantity over time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ColumnData {
-    /// Its name, such as `A on crank.F_x`.
+    /// The name, such as `A on crank.F_x`.
     pub name: String,
-    /// Its unit, such as N m.
+    /// The unit, such as N m.
     pub unit: String,
-    /// Its value at each time.
+    /// The value at each time.
     pub values: Vec<f64>,
 }
 
-/// The value that a measure of a joint should have in the assembly that is meant.
+/// The preferred value of a measure of a joint.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct PreferredData {
     /// The measure, such as `elbow.angle`.
     pub measure: String,
-    /// Its value, in its unit.
+    /// The value, in the unit of the measure.
     pub value: NumberData,
 }
 
-/// The range that a measure of a joint or a coordinate should keep to; `None` for no end.
+/// The permitted range of a measure of a joint or of a coordinate.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LimitData {
     /// The measure or coordinate, such as `slot.slide`.
     pub measure: String,
-    /// Its lower end, in its unit.
+    /// The lower end, in the unit of the measure; `None` for no limit.
     pub from: Option<f64>,
-    /// Its upper end.
+    /// The upper end; `None` for no limit.
     pub to: Option<f64>,
 }
 
-/// A body or bare coordinate with its guess.
+/// A body or scalar coordinate with its guess.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct BodyData {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// Kind of the body.
+    /// The kind of the body.
     pub kind: BodyKind,
-    /// Guess of its coordinates.
+    /// The guess of its coordinates.
     pub guess: Vec<NumberData>,
-    /// Preferred values of its coordinates, where there are any.
+    /// The preferred values of its coordinates; `None` for a coordinate without preference.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preferred: Vec<Option<NumberData>>,
-    /// Length between the pins of a link.
+    /// The length between the pins of a link; `None` for other bodies.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<NumberData>,
-    /// The points that a spatial body is drawn between, of which its guess then is worked out.
+    /// The points between which a spatial body is drawn. Kin then computes the guess from them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<[[NumberData; 3]; 2]>,
-    /// The place of a spatial body and the components of one or two directions that it faces, of
-    /// which its guess then is worked out.
+    /// The place of a spatial body and the components of one or two directions that it faces. Kin
+    /// then computes the guess from them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub facing: Option<Vec<NumberData>>,
 }
 
-/// Kinds of bodies.
+/// The kind of a body or coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum BodyKind {
-    /// R_x, R_y, θ
+    /// The coordinates R_x, R_y, θ.
     Planar,
-    /// R, e0..e3
+    /// The coordinates R, e0..e3.
     Spatial,
-    /// A bare angle.
+    /// A scalar coordinate that is an angle.
     Angle,
-    /// A bare length.
+    /// A scalar coordinate that is a length.
     Length,
 }
 
-/// A constraint by its kind, arguments and parameters.
+/// A constraint with its kind, arguments and parameters.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ConstraintData {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// Name of its function.
+    /// The name of the function.
     pub kind: String,
-    /// The bodies and coordinates that it acts on, in the order of its signature.
+    /// The bodies and coordinates, in the order of the signature.
     pub arguments: Vec<ArgumentData>,
-    /// Its parameters by name.
+    /// The parameters by name.
     #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
-    /// Names in the text of its equation that the text could not take along: the file does not
-    /// stand alone, and is read by the program that has the constraint.
+    /// Names in the text of the equation whose definitions the file cannot contain. If there are
+    /// any, only the program that has the constraint can read the file.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lacking: Vec<String>,
 }
 
-/// An argument of a constraint: `None` is the ground.
+/// An argument of a constraint; `None` means the ground.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
@@ -185,9 +185,9 @@ pub enum ArgumentData {
     Spatial(Option<String>),
     /// A coordinate by its name, such as `crank.theta`.
     Coord(String),
-    /// A coordinate of the ground as a planar body, by its number.
+    /// A coordinate of the ground as a planar body, by its index.
     GroundCoord(usize),
-    /// A coordinate of the ground as a spatial body, by its number.
+    /// A coordinate of the ground as a spatial body, by its index.
     SpatialGroundCoord(usize),
 }
 

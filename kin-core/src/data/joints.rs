@@ -1,10 +1,10 @@
-//! Every constraint of the library, for registries.
+//! Registers every constraint of the library.
 
 use super::Registry;
 use crate::forces::library;
 use crate::joints::{drivers, planar, spatial};
 
-/// The registry with all of them.
+/// Returns the registry with all of them.
 pub(crate) fn registered(registry: Registry) -> Registry {
     let registry = registered_planar(registry);
     let registry = registered_drivers(registry);
@@ -12,7 +12,7 @@ pub(crate) fn registered(registry: Registry) -> Registry {
     registered_loads(registry)
 }
 
-/// Energies, forces, and the lengths and angles that they act along.
+/// Registers energies, forces, and the lengths and angles along which they act.
 fn registered_loads(registry: Registry) -> Registry {
     registry
         .with::<library::length>()
@@ -122,8 +122,8 @@ fn registered_spatial(registry: Registry) -> Registry {
 mod tests {
     use super::*;
 
-    /// The names of all functions under `#[constraint]`, `#[potential]` and `#[force]` in this file
-    /// or in the files of this folder.
+    /// Collects the names of all functions with `#[constraint]`, `#[potential]` and `#[force]` in a
+    /// file, or in the files of a folder.
     fn written(path: &std::path::Path, names: &mut Vec<String>) {
         if let Ok(text) = std::fs::read_to_string(path) {
             for mark in ["\n#[constraint", "\n#[potential]", "\n#[force]"] {

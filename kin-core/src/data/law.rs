@@ -1,4 +1,4 @@
-//! Laws as data: a kind, its own numbers, and the laws that it is made of.
+//! Laws as data: a kind, numbers, and the laws that a law contains.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,23 +13,23 @@ use crate::model::law::{Ends, Law};
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LawData {
-    /// Its kind, such as `ramp`: what a [`Registry`] looks up first.
+    /// The kind, such as `ramp`. A [`Registry`] looks it up first.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub kind: String,
-    /// Its function as text, `fn lift(x: f64, h: f64) -> f64 { … }`: what it is where its kind is
-    /// not known.
+    /// The function as text, `fn lift(x: f64, h: f64) -> f64 { … }`. A reader uses it if it does
+    /// not know the kind.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
-    /// Its own numbers by name.
+    /// The numbers by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "once::map")]
     pub numbers: BTreeMap<String, f64>,
-    /// The laws that it is made of, by name.
+    /// The laws that the law contains, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "once::map")]
     pub parts: BTreeMap<String, LawData>,
 }
 
 impl LawData {
-    /// The law as its kind, numbers and parts say.
+    /// Returns the data of a law: its kind, numbers and parts.
     pub fn of(law: &Law) -> LawData {
         let parts = law.parts();
         let mut numbers: BTreeMap<String, f64> = law.fixed_numbers().into_iter().collect();
@@ -52,18 +52,18 @@ impl LawData {
 }
 
 impl LawData {
-    /// Its name in messages: its kind, of a text without one its first line.
+    /// Returns the name for messages: the kind, or the first line of the text if there is no kind.
     fn name(&self) -> &str {
         let text = self.text.as_deref().unwrap_or_default();
         if self.kind.is_empty() { text.lines().next().unwrap_or_default() } else { &self.kind }
     }
 }
 
-/// A law's data as its constructor reads them.
+/// The data of a law, as its constructor reads them.
 pub struct LawReader<'a> {
     data: &'a LawData,
     registry: &'a Registry,
-    /// The names that the constructor has asked for.
+    /// The names that the constructor has read.
     asked: RefCell<BTreeSet<String>>,
 }
 
@@ -76,7 +76,7 @@ impl<'a> LawReader<'a> {
         self.asked.borrow_mut().insert(name.to_string());
     }
 
-    /// An error by name where the data have a number or a part that nothing has asked for.
+    /// Returns an error for a number or part that the constructor has not read, by name.
     pub(super) fn all_are_asked(&self) -> Result<(), String> {
         let asked = self.asked.borrow();
         let of =
@@ -90,7 +90,7 @@ impl<'a> LawReader<'a> {
         Err(format!("the law `{}` has no {what} `{name}`; it has {has}", self.data.name()))
     }
 
-    /// The number of that name. Errors: none.
+    /// Returns the number with this name. Errors: there is none.
     pub fn number(&self, name: &str) -> Result<f64, String> {
         self.ask(name);
         self.data
@@ -100,18 +100,18 @@ impl<'a> LawReader<'a> {
             .ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.name()))
     }
 
-    /// Its function as text; empty where it has none.
+    /// Returns the function as text, or an empty text.
     pub fn text(&self) -> &str {
         self.data.text.as_deref().unwrap_or_default()
     }
 
-    /// Names of all its numbers and parts.
+    /// Returns the names of all numbers and parts.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         let all = self.data.numbers.keys().chain(self.data.parts.keys()).map(String::as_str);
         all.inspect(|name| self.ask(name))
     }
 
-    /// The numbers `name[first]`, `name[first + 1]`, … as far as they go.
+    /// Returns the numbers `name[first]`, `name[first + 1]`, … up to the first missing one.
     pub fn list(&self, name: &str, first: usize) -> Vec<f64> {
         let number = |k: usize| {
             let name = format!("{name}[{k}]");
@@ -121,7 +121,7 @@ impl<'a> LawReader<'a> {
         (first..).map_while(number).collect()
     }
 
-    /// Two such lists side by side. Errors: one of them is longer.
+    /// Returns two such lists side by side. Errors: their lengths differ.
     fn pairs(&self, names: [&str; 2], first: usize) -> Result<Vec<(f64, f64)>, String> {
         let [a, b] = names.map(|name| self.list(name, first));
         if a.len() == b.len() {
@@ -136,7 +136,7 @@ impl<'a> LawReader<'a> {
         ))
     }
 
-    /// The law of that name that this one is made of. Errors: none, of an unknown kind.
+    /// Returns the contained law with this name. Errors: there is none, or its kind is unknown.
     pub fn part(&self, name: &str) -> Result<Law, String> {
         self.ask(name);
         let part = self
@@ -151,7 +151,7 @@ impl<'a> LawReader<'a> {
 /// A constructor of a rise from its height and length.
 type Rise = fn(f64, f64) -> Law;
 
-/// The laws that ship.
+/// Registers the laws of the library.
 pub(super) fn shipped(registry: Registry) -> Registry {
     let rises: [(&str, Rise); 6] = [
         ("harmonic_rise", Law::harmonic_rise),

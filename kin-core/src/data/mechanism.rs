@@ -22,23 +22,24 @@ use crate::model::mechanism::{ConstraintId, Limit, Mechanism, SpatialPose};
 use crate::model::units::Units;
 
 impl Mechanism {
-    /// Writes the mechanism as a JSON file that stands alone, making folders that are missing:
-    /// whoever has the file and a reader of texts has the mechanism.
+    /// Writes the mechanism as a self-contained JSON file and creates missing folders. Any program
+    /// that reads equations as text can load it.
     ///
-    /// Errors: a constraint that cannot be described, or whose equation speaks of what the file
-    /// cannot take along, by name; a file that cannot be written.
+    /// Errors: a constraint that cannot be described, or whose equation needs something that the
+    /// file cannot contain, by name; a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         self.write_json_for(path, &Registry::new())
     }
 
-    /// The same for programs with this registry: the constraints that it knows need no text.
+    /// Writes the mechanism for programs with this registry. The constraints that the registry
+    /// knows need no text.
     pub fn write_json_for(&self, path: impl AsRef<Path>, registry: &Registry) -> Result<()> {
         let data = self.data()?;
         data.is_readable(registry)?;
         super::write(path.as_ref(), &data)
     }
 
-    /// The mechanism as data, to be written by serde.
+    /// Returns the mechanism as data for serde.
     ///
     /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type
     /// that serde does not know, by name.
@@ -84,7 +85,7 @@ impl Mechanism {
         })
     }
 
-    /// Bodies and bare coordinates as data.
+    /// Returns the bodies and scalar coordinates as data.
     fn body_data(&self, texts: &Texts) -> Vec<BodyData> {
         let body = self.layout.items.iter().enumerate().map(|(index, item)| {
             let columns = item.first..item.first + item.kind.coordinates().len();
@@ -114,7 +115,7 @@ impl Mechanism {
         body.collect()
     }
 
-    /// Preferred measures as data.
+    /// Returns the preferred measures as data.
     fn preferred_data(&self, texts: &Texts) -> Vec<PreferredData> {
         let data = |(measure, value): &(String, f64)| PreferredData {
             measure: measure.clone(),
@@ -123,7 +124,7 @@ impl Mechanism {
         self.asked.iter().map(data).collect()
     }
 
-    /// A constraint as data, and its equation where the file has to carry it.
+    /// Returns a constraint as data, and its equation if the file must contain it.
     pub(super) fn constraint_data(
         &self,
         name: &str,
@@ -177,10 +178,10 @@ impl Mechanism {
         })
     }
 
-    /// The mechanism that the data say; constraints and laws are made by the registry.
+    /// Creates a mechanism from data. The registry creates its constraints and laws.
     ///
-    /// Errors: an unknown kind, a body, parameter or number that is missing or too many, and
-    /// everything that [`Mechanism::add`] refuses.
+    /// Errors: an unknown kind; a body, parameter or number that is missing or superfluous; every
+    /// error of [`Mechanism::add`].
     pub fn from_data(data: &MechanismData, registry: &Registry) -> Result<Mechanism> {
         let fail = |reason| Error::Data { place: format!("mechanism `{}`", data.name), reason };
         understood(data.format, FORMAT).map_err(fail)?;
@@ -214,7 +215,7 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// Adds the constraint that the data say, made by the registry, on bodies of this mechanism.
+    /// Adds a constraint from data to bodies of this mechanism. The registry creates it.
     ///
     /// Errors: an unknown kind, a body or parameter that is missing or of another kind, and those
     /// of [`Mechanism::add`].
@@ -228,10 +229,10 @@ impl Mechanism {
         self.add_bound(name, constraint, bound)
     }
 
-    /// The law that the data of a file say: `{"kind": "ramp", "numbers": {"rate": "2 * w"}}`, where
-    /// numbers may be expressions of this mechanism's dimensions.
+    /// Creates a law from the data of a file: `{"kind": "ramp", "numbers": {"rate": "2 * w"}}`.
+    /// Numbers can be expressions of this mechanism's dimensions.
     ///
-    /// Errors: data that say no law, an unknown kind, numbers that are missing, an expression that
+    /// Errors: data that describe no law, an unknown kind, missing numbers, an expression that
     /// cannot be read.
     pub fn law(&self, data: &serde_json::Value, registry: &Registry) -> Result<Law> {
         let fail = |reason: String| Error::Data { place: "law".to_string(), reason };
@@ -294,8 +295,8 @@ impl Mechanism {
         length.map_or(Ok(()), |length| self.note_length(&body.name, Some(index), length))
     }
 
-    /// Draws a spatial body, whose coordinates begin there, at a pose. Errors: what was told of it
-    /// is no such pose.
+    /// Draws a spatial body at a pose; `first` is its first coordinate. Errors: the data are no
+    /// such pose.
     fn draw(
         &mut self,
         (name, told): (&str, &str),
@@ -310,13 +311,13 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The planar body of that name.
+    /// Returns the planar body with this name.
     pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
         self.target_named(name)
             .and_then(|target| if let Target::Planar(body) = target { Some(body) } else { None })
     }
 
-    /// The spatial body of that name.
+    /// Returns the spatial body with this name.
     pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
         self.target_named(name)
             .and_then(|target| if let Target::Spatial(body) = target { Some(body) } else { None })
@@ -326,7 +327,8 @@ impl Mechanism {
         self.layout.bodies().into_iter().find(|(known, _)| *known == name).map(|(_, target)| target)
     }
 
-    /// The coordinate of that name: a bare one, or a body's such as `crank.theta`.
+    /// Returns the coordinate with this name: a scalar coordinate, or one of a body such as
+    /// `crank.theta`.
     pub fn coordinate_named(&self, name: &str) -> Option<Coordinate> {
         let column = self.layout.names.iter().position(|known| known == name)?;
         let item = self.layout.owner(column)?;
@@ -343,8 +345,8 @@ impl Mechanism {
 }
 
 impl MechanismData {
-    /// Errors: the first constraint whose equation is not all there, and that the registry does not
-    /// know.
+    /// Returns an error for the first constraint with an incomplete equation that the registry does
+    /// not know.
     pub(super) fn is_readable(&self, registry: &Registry) -> Result<()> {
         let unread = |constraint: &&ConstraintData| {
             !constraint.lacking.is_empty()
@@ -363,7 +365,7 @@ impl MechanismData {
     }
 }
 
-/// A reason, and why the file has no text of the equation.
+/// Writes a reason, and why the file has no text of the equation.
 fn without(reason: &str, lacking: &[String]) -> String {
     format!(
         "{reason}; the file does not carry its equation, which speaks of {}",
@@ -371,7 +373,7 @@ fn without(reason: &str, lacking: &[String]) -> String {
     )
 }
 
-/// The words of a file. Errors: one that is empty.
+/// Returns the units of a file. Errors: an empty name.
 pub(super) fn read_units(units: &Units) -> Result<Units> {
     [units.length(), units.time(), units.mass()]
         .into_iter()

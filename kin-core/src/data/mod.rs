@@ -1,7 +1,7 @@
-//! Mechanisms, motions and diagnoses as data: serde, and JSON on disk.
+//! Mechanisms, motions and diagnoses as data, for serde and as JSON files.
 //!
-//! A motion comes back without loss. A mechanism comes back through a [`Registry`] of constructors,
-//! to which a user's own constraints are added: `Registry::new().with::<parabolic_slot>()`.
+//! Reading a motion loses nothing. Reading a mechanism needs a [`Registry`] of constructors. Add
+//! user-defined constraints to it: `Registry::new().with::<parabolic_slot>()`.
 
 mod dimensions;
 mod dynamics;
@@ -48,16 +48,16 @@ use crate::model::mechanism::Mechanism;
 use crate::model::motion::Series;
 use crate::solve::motion::Motion;
 
-/// The newest version of the formats, which is the one that is written; it goes up by one when an
-/// older reader would misunderstand, and all from the first to this one are read.
+/// The newest version of the formats. Kin writes this version and reads all versions from the first
+/// on. It grows if an older reader would misunderstand a file.
 const FORMAT: u32 = 1;
 
-/// The version of data that do not say.
+/// Returns the version of data that contain none.
 fn is_first() -> u32 {
     1
 }
 
-/// Errors: data of a version that a reader of versions up to `newest` does not know.
+/// Returns an error for data of a version above `newest`.
 fn understood(version: u32, newest: u32) -> std::result::Result<(), String> {
     let known = if newest == 1 { "format 1".to_string() } else { format!("formats 1 to {newest}") };
     match version {
@@ -70,8 +70,8 @@ fn understood(version: u32, newest: u32) -> std::result::Result<(), String> {
     }
 }
 
-/// The data in a text. Whoever meets data of a newer version is told so, and not of the first
-/// member that they do not know.
+/// Reads the data in a text. For a newer version the error names the version, not the first unknown
+/// member.
 fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> {
     #[derive(Deserialize)]
     struct Version {
@@ -86,17 +86,17 @@ fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> 
 }
 
 impl MechanismData {
-    /// The data in the text of a mechanism file.
+    /// Reads the text of a mechanism file.
     ///
-    /// Errors: a text that is no JSON, members that are missing, unknown or of another type, with
-    /// line and column; data of a newer version.
+    /// Errors, with line and column: a text that is no JSON; members that are missing, unknown or
+    /// of another type; data of a newer version.
     pub fn read(text: &str) -> Result<MechanismData> {
         read_text(text).map_err(|reason| Error::Data { place: "mechanism".to_string(), reason })
     }
 }
 
 impl MotionData {
-    /// The data in the text of a motion.
+    /// Reads the text of a motion.
     ///
     /// Errors: those of [`MechanismData::read`].
     pub fn read(text: &str) -> Result<MotionData> {
@@ -105,7 +105,7 @@ impl MotionData {
 }
 
 impl Mechanism {
-    /// The mechanism that such a file describes.
+    /// Reads a mechanism from a file.
     ///
     /// Errors: a file that cannot be read, and those of [`Mechanism::from_data`].
     pub fn read_json(path: impl AsRef<Path>, registry: &Registry) -> Result<Mechanism> {
@@ -114,14 +114,14 @@ impl Mechanism {
 }
 
 impl Diagnosis {
-    /// Writes the diagnosis as JSON, making folders that are missing; it comes back without loss.
+    /// Writes the diagnosis as JSON without loss, and creates missing folders.
     ///
     /// Errors: a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         write(path.as_ref(), self)
     }
 
-    /// The diagnosis in such a file.
+    /// Reads a diagnosis from a file.
     ///
     /// Errors: a file that cannot be read.
     pub fn read_json(path: impl AsRef<Path>) -> Result<Diagnosis> {
@@ -130,15 +130,14 @@ impl Diagnosis {
 }
 
 impl Motion {
-    /// Writes the motion as JSON ([`Motion::data`]), making folders that are missing; it comes back
-    /// without loss.
+    /// Writes the motion as JSON ([`Motion::data`]) without loss, and creates missing folders.
     ///
     /// Errors: a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         write(path.as_ref(), &self.data())
     }
 
-    /// The motion in such a file.
+    /// Reads a motion from a file.
     ///
     /// Errors: a file that cannot be read, and those of [`Motion::from_data`].
     pub fn read_json(path: impl AsRef<Path>) -> Result<Motion> {
@@ -147,8 +146,8 @@ impl Motion {
 }
 
 impl Forces<'_> {
-    /// Everything that is unique as data, to be written by serde: the columns of
-    /// [`Forces::columns`] with their units.
+    /// Returns every unique quantity as data for serde: the columns of [`Forces::columns`] with
+    /// their units.
     pub fn data(&self) -> ForcesData {
         let motion = self.motion();
         let column = |column: Series| ColumnData {
@@ -166,7 +165,7 @@ impl Forces<'_> {
         }
     }
 
-    /// Writes the forces as JSON ([`Forces::data`]), making folders that are missing.
+    /// Writes the forces as JSON ([`Forces::data`]) and creates missing folders.
     ///
     /// Errors: a file that cannot be written.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {

@@ -21,19 +21,19 @@ use crate::solve::newton::CrossedBreak;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct MotionData {
-    /// Version of this format.
+    /// The version of this format.
     #[serde(default = "is_first")]
     pub format: u32,
-    /// Name of the mechanism.
+    /// The name of the mechanism.
     pub name: String,
-    /// Names of its units.
+    /// The names of its units.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
-    /// Bodies and bare coordinates in their order, with what they are.
+    /// The bodies and scalar coordinates in order, with their kinds.
     pub bodies: Vec<(String, BodyKind)>,
-    /// Names of the equations.
+    /// The names of the equations.
     pub equations: Vec<String>,
-    /// The equation with the largest residual of all, by its number.
+    /// The index of the equation with the largest residual of all times; `None` without times.
     pub worst: Option<usize>,
     /// The times.   \[s\]
     pub times: Vec<f64>,
@@ -43,23 +43,23 @@ pub struct MotionData {
     pub qd: Vec<Vec<f64>>,
     /// q̈ at each time.   \[m/s², rad/s²\]
     pub qdd: Vec<Vec<f64>>,
-    /// q⃛ at each time, where the run was asked for the jerk.   \[m/s³, rad/s³\]
+    /// q⃛ at each time; empty if the run did not compute the jerk. \[m/s³, rad/s³\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub qddd: Vec<Vec<f64>>,
     /// Newton steps at each time.
     pub iterations: Vec<usize>,
     /// max |C_i| at each time.
     pub residuals: Vec<f64>,
-    /// Breaks of laws that the run has crossed.
+    /// The breaks of laws that the run has crossed.
     #[serde(default)]
     pub breaks: Vec<BreakData>,
-    /// Events of the motion.
+    /// The events of the motion.
     #[serde(default)]
     pub events: Vec<Event>,
-    /// Singular positions that were met.
+    /// The singular positions of the run.
     #[serde(default)]
     pub singular_positions: Vec<SingularPosition>,
-    /// Warnings about usual slips that the run saw.
+    /// The guess from which the run found the first position. \[m, rad\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
     /// The guess that the first position was found from; empty if the motion does not begin a
@@ -69,13 +69,14 @@ pub struct MotionData {
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     #[serde(default)]
     pub misfit: f64,
-    /// How many times a program has computed, and how often it has handed back to plain steps.
+    /// How many times a program has computed, and how often it returned to the step-by-step solver.
     #[serde(default, skip_serializing_if = "is_plain")]
     pub engine: EngineCounts,
-    /// Why all of it was computed by plain steps, where a program would have paid.
+    /// Why the step-by-step solver computed everything although a program would have been faster;
+    /// otherwise `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why_not_compiled: Option<String>,
-    /// Derived quantities.
+    /// The derived quantities.
     pub outputs: Vec<OutputData>,
 }
 
@@ -83,15 +84,15 @@ pub struct MotionData {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BreakData {
-    /// The last time before it, and the first one after it or at it.   \[s\]
+    /// The last time before the break, and the first time after it or at it. \[s\]
     pub between: (f64, f64),
-    /// The constraint that asks the law.
+    /// The constraint that contains the law.
     pub constraint: String,
-    /// The law, by its name in the constraint.
+    /// The name of the law in the constraint.
     pub law: String,
-    /// Where in the law it is.
+    /// The argument of the law at the break.
     pub x: f64,
-    /// Which derivative jumps.
+    /// The derivative that jumps.
     pub order: usize,
 }
 
@@ -99,16 +100,16 @@ pub struct BreakData {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct OutputData {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// Its unit.
+    /// The unit.
     pub unit: String,
-    /// One value a time.
+    /// The values, one for each time.
     pub values: Vec<f64>,
 }
 
 impl Motion {
-    /// The motion as data, to be written by serde.
+    /// Returns the motion as data for serde.
     pub fn data(&self) -> MotionData {
         let rows = |row: fn(&Motion, usize) -> &[f64]| {
             (0..self.len()).map(|k| row(self, k).to_vec()).collect()
@@ -149,8 +150,8 @@ impl Motion {
         }
     }
 
-    /// The motion that the data say. Its bodies are found by name: [`Motion::named`],
-    /// [`Motion::planar_named`], [`Motion::spatial_named`].
+    /// Creates a motion from data. [`Motion::named`], [`Motion::planar_named`] and
+    /// [`Motion::spatial_named`] find its coordinates and bodies by name.
     ///
     /// Errors: names that are empty or taken, lists of different lengths, numbers that are not
     /// finite.
@@ -225,7 +226,7 @@ fn is_plain(counts: &EngineCounts) -> bool {
 }
 
 impl MotionData {
-    /// Errors: a name that moves the cursor of a terminal.
+    /// Returns an error for a name that moves the cursor of a terminal.
     fn check_names(&self) -> Result<()> {
         let bodies = self.bodies.iter().map(|(name, _)| ("body", name));
         let equations = self.equations.iter().map(|name| ("equation", name));
@@ -239,7 +240,7 @@ impl MotionData {
         Ok(())
     }
 
-    /// All numbers that have to be finite.
+    /// Returns all numbers that must be finite.
     fn numbers(&self) -> impl Iterator<Item = f64> {
         let rows = [&self.q, &self.qd, &self.qdd, &self.qddd].into_iter().flatten().flatten();
         let happened = self.events.iter().map(|event| &event.t);

@@ -1,11 +1,11 @@
-//! Names that files may carry: they go on to terminals, tables, pictures and pages.
+//! Checks the names in files, because programs write them to terminals, tables, pictures and pages.
 
 use crate::model::error::{Error, Result};
 
-/// The name, if nothing in it moves a terminal's cursor, breaks a line or turns the direction of
-/// what is around it.
+/// Returns the name, unless it contains a character that moves a terminal's cursor, breaks a line
+/// or changes the direction of the surrounding text.
 ///
-/// Errors: a name with such a character, which is told by its number.
+/// Errors: a name with such a character; the error contains the character's number.
 pub(super) fn plain<'a>(what: &str, name: &'a str) -> Result<&'a str> {
     let Some(odd) = name.chars().find(|c| c.is_control() || turns_direction(*c)) else {
         return Ok(name);
@@ -17,7 +17,7 @@ pub(super) fn plain<'a>(what: &str, name: &'a str) -> Result<&'a str> {
     Err(Error::Data { place: format!("{what} `{shown}`"), reason })
 }
 
-/// Marks that show text from right to left, or in another order than it is written in.
+/// Returns true for marks that change the direction or the order of text.
 fn turns_direction(c: char) -> bool {
     matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}' | '\u{2029}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }

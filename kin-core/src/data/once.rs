@@ -1,8 +1,8 @@
-//! Objects in which each key stands once.
+//! Reads objects in which each key may occur only once.
 //!
-//! The maps of serde and `serde_json` take the last value of a key that stands twice. In a file one
-//! of the two values would be read and the other one lost without a word, so the maps of Kin's
-//! formats are read here. Structs need nothing: serde refuses a field that stands twice.
+//! The maps of serde and `serde_json` keep the last value of a repeated key. In a file the other
+//! value would be lost without a message, so the maps of Kin's formats are read here. Structs need
+//! nothing, because serde refuses a repeated field.
 
 use std::collections::BTreeSet;
 use std::fmt;
@@ -12,9 +12,9 @@ use serde::Deserialize;
 use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 
-/// Reads a map whose values have the type `V`.
+/// Reads a map with values of type `V`.
 ///
-/// Errors: a key that stands twice, by its name; a value that is no `V`.
+/// Errors: a repeated key, by name; a value that is no `V`.
 pub(super) fn map<'de, D, V, M>(from: D) -> Result<M, D::Error>
 where
     D: Deserializer<'de>,
@@ -26,7 +26,7 @@ where
 
 /// Reads an object of any values.
 ///
-/// Errors: a key that stands twice, at any depth, by its name and by the keys that lead to it.
+/// Errors: a repeated key at any depth, by its name and by the keys that lead to it.
 pub(super) fn object<'de, D: Deserializer<'de>>(from: D) -> Result<Map<String, Value>, D::Error> {
     from.deserialize_map(Object(&KeyPath::ROOT))
 }
@@ -36,7 +36,7 @@ pub(super) fn value<'de, D: Deserializer<'de>>(from: D) -> Result<Value, D::Erro
     AnyValue(&KeyPath::ROOT).deserialize(from)
 }
 
-/// Reads three values in a list, or none. Errors: those of [`object`].
+/// Reads a list of three values, or none. Errors: those of [`object`].
 pub(super) fn three<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<Box<[Value; 3]>>, D::Error> {
@@ -53,7 +53,7 @@ fn twice<E: Error>(place: &KeyPath<'_>, key: &str) -> E {
     ))
 }
 
-/// The keys and numbers that lead to a value.
+/// The keys and indices that lead to a value.
 struct KeyPath<'a> {
     outer: Option<(&'a KeyPath<'a>, Step<'a>)>,
 }
@@ -72,7 +72,7 @@ impl KeyPath<'_> {
 }
 
 impl fmt::Display for KeyPath<'_> {
-    /// "law.numbers", "parts\[2\]"
+    /// Writes "law.numbers", "parts\[2\]".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.outer {
             None => Ok(()),
@@ -106,7 +106,7 @@ impl<'de, V: Deserialize<'de>, M: FromIterator<(String, V)>> Visitor<'de> for Ke
     }
 }
 
-/// Reads an object at a place.
+/// Reads an object at a path.
 struct Object<'a>(&'a KeyPath<'a>);
 
 impl<'de> Visitor<'de> for Object<'_> {
@@ -130,7 +130,7 @@ impl<'de> Visitor<'de> for Object<'_> {
     }
 }
 
-/// Reads any value at a place.
+/// Reads any value at a path.
 struct AnyValue<'a>(&'a KeyPath<'a>);
 
 impl<'de> DeserializeSeed<'de> for AnyValue<'_> {

@@ -1,4 +1,4 @@
-//! Which constructor makes which kind of constraint or law.
+//! Maps kinds of constraints and laws to their constructors.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -16,45 +16,47 @@ use crate::model::dual_route::ArgumentKind;
 use crate::model::law::Law;
 use crate::model::mechanism::Mechanism;
 
-/// A constraint that can be made anew from data; written by `#[constraint]`.
+/// A constraint that can be created from data. `#[constraint]` implements it.
 pub trait Described: Constraint + Sized + 'static {
-    /// Name of its function.
+    /// The name of the function.
     const KIND: &'static str;
-    /// Kinds of its arguments, in order.
+    /// The kinds of the arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
-    /// From bodies and parameters. The reader notes each fault and gives something in its place;
-    /// `None` where there is nothing to give.
+    /// Creates the constraint from bodies and parameters. The reader records each mistake and
+    /// returns a substitute value. Returns `None` if there is no substitute.
     fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
 type Make = Arc<dyn Fn(&mut Reader<'_>) -> Option<Box<dyn Constraint>> + Send + Sync>;
 type Key = (String, Vec<ArgumentKind>);
-/// A constraint, and which of its parameters are expressions of dimensions.
+/// A constraint, and its parameters that are expressions of dimensions.
 pub(super) type Made = (Box<dyn Constraint>, Vec<(String, Dimension)>);
 type ReadEquation = fn(Registry, &str) -> Result<Registry, String>;
 type ReadLaw = fn(&LawReader<'_>) -> Result<Law, String>;
 type MakeLaw = Arc<dyn Fn(&LawReader<'_>) -> Result<Law, String> + Send + Sync>;
 
-/// The source of a constructor.
+/// The origin of a constructor.
 #[derive(Clone, PartialEq, Eq)]
 enum Origin {
     Library,
     Program,
-    /// A file, by this text.
+    /// A file with this text.
     Text(String),
 }
 
-/// Constructors of constraints and laws by their kinds. Constraints of one name with other
-/// arguments (`revolute` of planar and of spatial bodies) are told apart; of a program's own with
-/// the same name and arguments the later one counts, and the equation that a file carries counts
-/// before both. In files the names of the library are the library's.
+/// Constructors of constraints and laws by their kinds.
+///
+/// Constraints with the same name but other arguments (`revolute` of planar and of spatial bodies)
+/// are different. Of two user-defined constraints with the same name and arguments the later one
+/// counts. An equation in a file precedes both. In files the names of the library always mean the
+/// library.
 #[derive(Clone)]
 pub struct Registry {
     constraints: HashMap<Key, (Make, Origin)>,
     laws: HashMap<String, MakeLaw>,
     equations: Option<ReadEquation>,
     law_texts: Option<ReadLaw>,
-    /// There are equations as text, and no reader of them.
+    /// True if there are equations as text, but no reader for them.
     unread: bool,
 }
 
@@ -65,7 +67,7 @@ impl Default for Registry {
 }
 
 impl Registry {
-    /// All joints, drivers and laws that ship.
+    /// Creates a registry with all joints, drivers and laws of the library.
     pub fn new() -> Registry {
         let empty = Registry {
             constraints: HashMap::new(),
@@ -79,15 +81,15 @@ impl Registry {
         all
     }
 
-    /// A constraint of one's own too: `Registry::new().with::<parabolic_slot>()`, after a function
-    /// under `#[constraint]`.
+    /// Adds a user-defined constraint, written as a function with `#[constraint]`:
+    /// `Registry::new().with::<parabolic_slot>()`.
     pub fn with<C: Described>(self) -> Registry {
         let make =
             |from: &mut Reader<'_>| C::read(from).map(|made| Box::new(made) as Box<dyn Constraint>);
         self.with_constraint(C::KIND, C::ARGUMENTS, make)
     }
 
-    /// A constraint that is made at run time too, by its kind, its arguments and its constructor.
+    /// Adds a constraint that is made at run time, by its kind, its arguments and its constructor.
     pub fn with_constraint(
         mut self,
         kind: &str,
@@ -99,11 +101,11 @@ impl Registry {
         self
     }
 
-    /// The same of an equation that a file carries as this text, for
+    /// Adds a constraint whose equation a file contains as this text, for
     /// [`Registry::reading_equations`].
     ///
-    /// Errors: the library has a constraint of that name with these arguments, which would mean
-    /// something else in this file than in all others; another text of the file has.
+    /// Errors: the library has a constraint with this name and these arguments, or another text of
+    /// the file has. The name would then have another meaning in this file than elsewhere.
     pub fn with_equation(
         mut self,
         (kind, arguments): (&str, &[ArgumentKind]),
@@ -124,8 +126,8 @@ impl Registry {
         }
     }
 
-    /// The same registry, able to read the equations that mechanism files carry as text: `read`
-    /// adds the constraint of a text. `kin::text::registry()` is one with the reader that ships.
+    /// Enables the registry to read the equations in mechanism files: `read` adds the constraint of
+    /// a text. `kin::text::registry()` returns a registry with Kin's reader.
     pub fn reading_equations(
         mut self,
         read: fn(Registry, &str) -> Result<Registry, String>,
@@ -134,15 +136,15 @@ impl Registry {
         self
     }
 
-    /// The same registry, able to make laws of the texts that mechanism files carry: `read` makes
-    /// one of the text, numbers and parts that it is shown.
+    /// Enables the registry to create laws from the texts in mechanism files. `read` receives the
+    /// text, the numbers and the parts.
     pub fn reading_laws(mut self, read: fn(&LawReader<'_>) -> Result<Law, String>) -> Registry {
         self.law_texts = Some(read);
         self
     }
 
-    /// The same registry with the constraints that these texts say; without a reader the program
-    /// has to know them itself. Errors: the mistakes of a text.
+    /// Returns a registry with the constraints of these texts. Without a reader the program must
+    /// know these constraints. Errors: the mistakes of a text.
     pub fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
         match self.equations {
             Some(read) => {
@@ -152,7 +154,7 @@ impl Registry {
         }
     }
 
-    /// A law of one's own too, by its kind (the name of its function under `#[law]`) and its
+    /// Adds a user-defined law by its kind (the name of its function with `#[law]`) and its
     /// constructor.
     pub fn with_law(
         mut self,
@@ -163,7 +165,7 @@ impl Registry {
         self
     }
 
-    /// Kinds of the constraints, with the number of arguments of each, sorted.
+    /// Returns the kinds of the constraints, with the number of arguments of each, sorted.
     pub fn kinds(&self) -> Vec<(&str, usize)> {
         let mut all: Vec<(&str, usize)> = self
             .constraints
@@ -174,15 +176,16 @@ impl Registry {
         all
     }
 
-    /// Kinds of the laws, sorted.
+    /// Returns the kinds of the laws, sorted.
     pub fn law_kinds(&self) -> Vec<&str> {
         let mut all: Vec<&str> = self.laws.keys().map(String::as_str).collect();
         all.sort_unstable();
         all
     }
 
-    /// The law that the data say: by its kind, where that is known, else by its text. Errors:
-    /// unknown kind, numbers or parts that are missing or that it does not have, mistakes in the
+    /// Creates a law from data: by its kind if that is known, otherwise by its text.
+    ///
+    /// Errors: an unknown kind; numbers or parts that are missing or superfluous; mistakes in the
     /// text.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
         let law = LawReader::new(data, self);
@@ -205,8 +208,8 @@ impl Registry {
         }
     }
 
-    /// The constraint of that kind, and which of its parameters are expressions of dimensions.
-    /// Errors: unknown kind, arguments or parameters that do not fit.
+    /// Creates a constraint, with its parameters that are expressions of dimensions. Errors: an
+    /// unknown kind, arguments or parameters that do not fit.
     pub(super) fn constraint(
         &self,
         kind: &str,
@@ -241,14 +244,14 @@ impl Registry {
         }
     }
 
-    /// True if something of that kind is known with these arguments.
+    /// Returns true if the registry knows this kind with these arguments.
     pub(super) fn knows(&self, kind: &str, arguments: &[ArgumentData]) -> bool {
         let kinds = arguments.iter().map(ArgumentData::kind).collect();
         self.constraints.contains_key(&(kind.to_string(), kinds))
     }
 
-    /// Errors: a constraint of one's own with a name and arguments of the library, whose place in a
-    /// file the library's would take.
+    /// Returns an error for a user-defined constraint with a name and arguments of the library. In
+    /// a file that name means the library.
     pub(super) fn is_free(kind: &str, arguments: &[ArgumentData]) -> Result<(), String> {
         if Registry::new().knows(kind, arguments) {
             Err(names_of_the_library(kind))
@@ -283,21 +286,21 @@ fn names_of_the_library(kind: &str) -> String {
     )
 }
 
-/// The data of one constraint as its constructor reads them.
+/// The data of one constraint, as its constructor reads them.
 pub struct Reader<'a> {
     arguments: std::slice::Iter<'a, ArgumentData>,
     parameters: &'a Map<String, Value>,
     mechanism: &'a Mechanism,
     registry: &'a Registry,
     asked: Vec<&'a String>,
-    /// Expressions of dimensions that stood for numbers.
+    /// The expressions of dimensions in place of numbers.
     expressions: Vec<Found>,
-    /// The first thing that is wrong with them.
+    /// The first mistake in the data.
     failure: Option<String>,
 }
 
 impl<'a> Reader<'a> {
-    /// The next argument, a planar body; the ground where there is none.
+    /// Returns the next argument, a planar body, or the ground if there is none.
     pub fn planar(&mut self) -> PlanarBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Planar(None)) => Ok(Ground.into()),
@@ -309,7 +312,7 @@ impl<'a> Reader<'a> {
         self.noted(found).unwrap_or(Ground.into())
     }
 
-    /// The next argument, a spatial body; the ground where there is none.
+    /// Returns the next argument, a spatial body, or the ground if there is none.
     pub fn spatial(&mut self) -> SpatialBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Spatial(None)) => Ok(Ground.into()),
@@ -322,7 +325,7 @@ impl<'a> Reader<'a> {
         self.noted(found).unwrap_or(Ground.into())
     }
 
-    /// The next argument, a bare coordinate; one of the ground's where there is none.
+    /// Returns the next argument, a scalar coordinate, or one of the ground if there is none.
     pub fn coord(&mut self) -> Coordinate {
         let found = match self.arguments.next() {
             Some(ArgumentData::Coord(name)) => self
@@ -338,14 +341,14 @@ impl<'a> Reader<'a> {
         self.noted(found).unwrap_or(Coordinate::Planar(Ground.into(), 0))
     }
 
-    /// The parameter of that name; not a number where there is none.
+    /// Returns the parameter with this name, or NaN if there is none.
     pub fn get<T: Datum>(&mut self, name: &str) -> T {
         let registry = self.registry;
         self.numbers(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
     }
 
-    /// The same as [`Reader::value`] of a parameter made of numbers, some of which may be
-    /// expressions of dimensions in the file: `read` is given their values.
+    /// Returns a parameter made of numbers, some of which may be expressions of dimensions in the
+    /// file. `read` receives their values. See [`Reader::value`].
     pub fn numbers<T>(
         &mut self,
         name: &str,
@@ -361,7 +364,7 @@ impl<'a> Reader<'a> {
         value
     }
 
-    /// The value that `read` makes of the parameter of that name, as JSON.
+    /// Returns the value that `read` creates from the JSON of the parameter with this name.
     pub fn value<T>(
         &mut self,
         name: &str,
@@ -374,7 +377,7 @@ impl<'a> Reader<'a> {
         self.noted(read(value).map_err(|reason| format!("its parameter `{name}`: {reason}")))
     }
 
-    /// Remembers the first failure.
+    /// Records the first mistake.
     pub(super) fn noted<T>(&mut self, found: Result<T, String>) -> Option<T> {
         match found {
             Ok(value) => Some(value),

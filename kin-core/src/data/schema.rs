@@ -1,12 +1,14 @@
-//! The JSON Schema of mechanism files, from the same registry that reads them.
+//! Creates the JSON Schema of mechanism files from the registry that reads them.
 
 use serde_json::{Map, Value, json};
 
 use super::{FORMAT, Registry};
 
-/// The JSON Schema (draft 2020-12) of mechanism files: what [`crate::Mechanism::write_json`]
-/// writes, and what may be written by hand. Kinds of constraints and laws are suggested, not
-/// demanded: a file brings constraints of its own, and a program its laws.
+/// Returns the JSON Schema (draft 2020-12) of mechanism files, which
+/// [`crate::Mechanism::write_json`] or a user writes.
+///
+/// The schema suggests kinds of constraints and laws, but does not require them, because files and
+/// programs define other kinds.
 ///
 /// ```
 /// let schema = kin::data::schema(&kin::data::Registry::new());
@@ -257,7 +259,7 @@ fn scalar() -> Value {
     )
 }
 
-/// A function of a length or an angle, its rate and time.
+/// A function of a length or an angle, its derivative and time.
 fn formula() -> Value {
     object(
         "A force by the length or angle that it acts along, by its rate and by time.",
@@ -359,7 +361,7 @@ fn number_or_null(told: &str) -> Value {
     json!({ "description": told, "type": ["number", "null"] })
 }
 
-/// An object with these members and no others.
+/// An object with exactly these members.
 fn object(told: &str, required: &[&str], members: &[(&str, Value)]) -> Value {
     let members: Map<String, Value> =
         members.iter().map(|(name, value)| ((*name).to_string(), value.clone())).collect();

@@ -14,11 +14,11 @@ use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
 /// A parameter made of numbers, or a law.
 pub trait Datum: Sized {
-    /// The value as JSON.
+    /// Returns the value as JSON.
     fn to_value(&self) -> Result<Value, String>;
-    /// From JSON; the registry knows laws. Errors: what is wrong with it.
+    /// Reads the value from JSON; the registry knows laws. Errors: the mistake in words.
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String>;
-    /// The stand-in for a value that could not be read: not a number.
+    /// Returns the substitute for a value that could not be read: NaN.
     fn absent() -> Self;
 }
 
@@ -60,7 +60,7 @@ impl<T: Datum, const N: usize> Datum for [T; N] {
     }
 }
 
-/// A type with components, as the list of them.
+/// Implements a type with components as the list of them.
 macro_rules! lists {
     ($($ty:ident($($c:ident),*);)*) => {$(
         impl Datum for $ty {
@@ -88,7 +88,7 @@ lists! {
     Mat3(m11, m12, m13, m21, m22, m23, m31, m32, m33);
 }
 
-/// The vectors h, f and g; read also from h and f, or from h alone, as given to make one.
+/// The vectors h, f and g. Reading also accepts h and f, or h alone.
 impl Datum for Axis {
     fn absent() -> Self {
         Axis { h: Datum::absent(), f: Datum::absent(), g: Datum::absent() }
@@ -156,24 +156,24 @@ impl Datum for Law {
 }
 
 impl Describer {
-    /// A parameter under its name.
+    /// Records a parameter under its name.
     pub fn put(&mut self, name: &str, value: &impl Datum) {
         self.put_value(name, value.to_value());
     }
 }
 
-/// A parameter of any type of the user's, on its way out: by serde if its type can.
+/// A parameter of any type of the user, to be written with serde if its type supports it.
 pub struct Outgoing<'a, T>(pub &'a T);
 
-/// With serde.
+/// Writes a type with serde.
 pub trait OutgoingBySerde {
-    /// Puts the parameter under its name.
+    /// Records the parameter under its name.
     fn put(&self, name: &str, to: &mut Describer);
 }
 
-/// Without it.
+/// Handles a type without serde.
 pub trait OutgoingRefused {
-    /// Refuses.
+    /// Refuses the parameter.
     fn put(&self, name: &str, to: &mut Describer);
 }
 
@@ -189,23 +189,23 @@ impl<T> OutgoingRefused for &Outgoing<'_, T> {
     }
 }
 
-/// A constant beside an equation, on its way into the equation's text.
+/// A constant of an equation, to be written in the equation's text.
 pub trait OutgoingConstant {
-    /// Puts the constant under its name.
+    /// Records the constant under its name.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-/// One of a type that has no text.
+/// A constant of a type without text.
 pub trait RefusedConstant {
-    /// Tells that it is lacking.
+    /// Records that the constant is missing.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-/// A value that can be written as Rust: a number, a vector, a table of these.
+/// A value that can be written as Rust: a number, a vector, a table of them.
 pub trait Literal {
-    /// Its type, as it is written.
+    /// Returns its type as Rust.
     fn type_text() -> String;
-    /// The value, as it is written; of a number that is not finite, that number.
+    /// Returns the value as Rust. The error is the number that is not finite.
     fn text(&self) -> Result<String, f64>;
 }
 
@@ -287,7 +287,7 @@ impl<T> RefusedConstant for &Outgoing<'_, T> {
     }
 }
 
-/// A parameter of any type of the user's, on its way in.
+/// A parameter of any type of the user, to be read.
 pub struct Incoming<T>(PhantomData<T>);
 
 impl<T> Incoming<T> {
@@ -298,15 +298,15 @@ impl<T> Incoming<T> {
     }
 }
 
-/// With serde.
+/// Reads a type with serde.
 pub trait IncomingBySerde<T> {
-    /// The parameter of that name.
+    /// Returns the parameter with this name.
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 
-/// Without it.
+/// Handles a type without serde.
 pub trait IncomingRefused<T> {
-    /// Refuses.
+    /// Refuses the parameter.
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 

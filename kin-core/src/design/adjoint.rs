@@ -12,22 +12,24 @@ use crate::model::no_derivative::NoDerivative;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// ∂F/∂q, ∂F/∂q̇ and ∂F/∂q̈, a row for each time.
+/// ∂F/∂q, ∂F/∂q̇ and ∂F/∂q̈, each with a row for each time.
 pub(super) type Weights = [Vec<f64>; 3];
 
 impl System {
-    /// The derivatives of one number F by parameters, where F is a function of a measure y, ẏ and ÿ
-    /// over a motion: `weights` gives ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time by its number. One
-    /// backward solve serves all parameters. With J = C_q,
+    /// Returns the derivatives of one number F by parameters, where F is a function of a measure y,
+    /// ẏ and ÿ over a motion.
+    ///
+    /// `weights` returns ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time, by the index of the time. One
+    /// backward solve serves all parameters. With J = C_q:
     ///
     /// ```text
     /// Jᵀ λ₂ = F_q̈      Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂      Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂
     /// F_p = −Σ (λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p)
     /// ```
     ///
-    /// A dependence of the measure on p itself is not in it. Of a redundant mechanism C_q are as
-    /// many independent rows as there are coordinates; that the other equations agree is checked
-    /// for all parameters at once.
+    /// A direct dependence of the measure on p is not included. For a redundant mechanism C_q
+    /// consists of as many independent rows as there are coordinates. Kin checks for all parameters
+    /// at once that the other equations agree.
     ///
     /// Errors: those of [`System::sensitivities`] and [`crate::design::Sensitivities::of`].
     pub fn gradient(
@@ -52,7 +54,7 @@ impl System {
         }
     }
 
-    /// Those of F at each time, by y_q and its derivatives by time.
+    /// Returns the weights of F at each time, from y_q and its time derivatives.
     fn weights(
         &self,
         motion: &Motion,
@@ -77,7 +79,8 @@ impl System {
     }
 }
 
-/// The gradient as a sum over all times: by a tape where that pays, else by the walk.
+/// Returns the gradient as a sum over all times: with a tape if that is faster, otherwise time by
+/// time.
 fn terms(
     prepared: &mut Prepared<'_>,
     motion: &Motion,
@@ -112,7 +115,7 @@ fn terms(
     Ok(gradient)
 }
 
-/// λ₀, λ₁ and λ₂. `fixed` is λ₂ in rows that are not in use, and zero in the others.
+/// Returns λ₀, λ₁ and λ₂. `fixed` is λ₂ in the rows that are not in use, and zero in the others.
 pub(super) fn adjoint(
     solver: &SlopeSolver<'_>,
     along: &Along,

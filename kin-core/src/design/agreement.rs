@@ -1,10 +1,10 @@
-//! The superfluous equations of a redundant mechanism: a check, for all parameters at once, that
-//! they still agree with the others when a parameter changes.
+//! Checks, for all parameters at once, that the redundant equations of a mechanism still agree with
+//! the others when a parameter changes.
 //!
-//! With ν(t) such that νᵀ C_q = 0 at all times, g = νᵀ C_p and its derivatives by time vanish if
-//! and only if C_q q_p = −C_p and its derivatives have solutions. One ν serves all parameters: it
-//! takes each superfluous row times a random number, so that those that disagree do not cancel.
-//! With ν instead of λ₂ the equations of the adjoint give λ₁ = 2 ν̇ and λ₀ = ν̈
+//! Let ν(t) satisfy νᵀ C_q = 0 at all times. Then g = νᵀ C_p and its time derivatives vanish if and
+//! only if C_q q_p = −C_p and its derivatives have solutions. One ν serves all parameters: it
+//! contains each redundant row times a random number, so that contradictions do not cancel. With ν
+//! instead of λ₂ the equations of the adjoint give λ₁ = 2 ν̇ and λ₀ = ν̈
 //! ([`super::adjoint::adjoint`]).
 
 use super::adjoint::adjoint;
@@ -14,23 +14,23 @@ use crate::model::error::Result;
 use crate::numbers::random::Random;
 use crate::solve::motion::Motion;
 
-/// Data from which a tape tells whether superfluous equations agree.
+/// The data with which a tape checks whether redundant equations agree.
 pub(super) struct Agreement {
     /// The rows in use, as many as there are coordinates.
     pub rows: Vec<usize>,
-    /// ν in the superfluous rows, 0 in those in use.
+    /// For each row ν: random in the redundant rows, 0 in those in use.
     pub shares: Vec<f64>,
-    /// By how much rounding may keep g, ġ and g̈ of each name from 0; 0 where that is far less than
-    /// their terms.
+    /// For each name the bounds of rounding in g, ġ and g̈. A bound is 0 if rounding is far smaller
+    /// than the terms.
     pub limits: Vec<[f64; 3]>,
 }
 
 impl Agreement {
-    /// Along a motion: rounding is bounded at its first time and where it is fastest; `None` where
-    /// no equation is superfluous.
+    /// Prepares the check along a motion. It bounds rounding at the first time and at the fastest
+    /// times. Returns `None` if no equation is redundant.
     ///
-    /// Errors: by name where a change of a parameter makes the equations contradict one another at
-    /// one of these times; a singular position.
+    /// Errors: by name if a change of a parameter makes the equations contradict each other at one
+    /// of these times; a singular position.
     pub(super) fn along(
         prepared: &mut Prepared<'_>,
         motion: &Motion,
@@ -62,8 +62,8 @@ impl Agreement {
     }
 }
 
-/// An error by name where a change of a parameter makes the equations contradict one another at the
-/// time of the solver.
+/// Returns an error, by name, if a change of a parameter makes the equations contradict each other
+/// at the time of the solver.
 pub(super) fn check(
     solver: &mut SlopeSolver<'_>,
     prepared: &Prepared<'_>,
@@ -71,7 +71,7 @@ pub(super) fn check(
     names: &[String],
 ) -> Result<()> {
     let Some(shares) = shares(solver) else { return Ok(()) };
-    // Only the equations themselves tell what is rounding.
+    // Only the equations themselves show what is rounding.
     let doubtful = doubtful(solver, along, shares).into_iter();
     doubtful.map(|number| (number, &names[number][..])).try_for_each(|name| {
         solver.forward(prepared, along, name)?;
@@ -85,7 +85,7 @@ fn shares(solver: &SlopeSolver<'_>) -> Option<Vec<f64>> {
     let (rows, norms) = solver.in_use()?;
     let mut random = Random::new(1);
     let share = |(row, norm): (usize, &f64)| {
-        // Of one row the same number, whichever rows are in use.
+        // A row gets the same number whichever rows are in use.
         let share = 0.75 + 0.25 * random.number();
         if rows.binary_search(&row).is_ok() { 0.0 } else { share / norm }
     };
@@ -107,7 +107,7 @@ fn doubtful(solver: &SlopeSolver<'_>, along: &Along, shares: Vec<f64>) -> Vec<us
                     size += term.abs();
                 }
             }
-            // A sum that is not a number is in doubt, too.
+            // A sum that is NaN is doubtful too.
             sum.is_nan() || sum.abs() > CONSISTENT * size
         })
     };
@@ -120,12 +120,13 @@ fn doubtful(solver: &SlopeSolver<'_>, along: &Along, shares: Vec<f64>) -> Vec<us
         .collect()
 }
 
-/// g, ġ and g̈ as sums of a factor times a multiplier, λ₀, λ₁ or λ₂, times C_p or one of its
-/// derivatives by time.
+/// g, ġ and g̈ as sums of terms (factor, k, order): the factor times the multiplier λ_k times the
+/// derivative of C_p by time of this order.
 pub(super) const TERMS: [&[(f64, usize, usize)]; 3] =
     [&[(1.0, 2, 0)], &[(1.0, 2, 1), (0.5, 1, 0)], &[(1.0, 2, 2), (1.0, 1, 1), (1.0, 0, 0)]];
 
-/// The first time of a motion, and those at which q̇ and q̈ are largest: there rounding is.
+/// Returns the first time of a motion, and those with the largest q̇ and q̈, where rounding is
+/// largest.
 fn fastest(motion: &Motion) -> Vec<usize> {
     let size = |all: &[f64]| all.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     let largest =

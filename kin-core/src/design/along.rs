@@ -1,4 +1,4 @@
-//! C_q and C_p along a motion: their values with first and second derivatives by time.
+//! C_q and C_p along a motion: values with first and second time derivatives.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -17,31 +17,32 @@ use crate::system::System;
 
 type Number = Real<Dual2_64>;
 
-/// The same numbers with bounds of their errors.
+/// Numbers with time derivatives and bounds of their errors.
 type Bounded = WithRate<WithRate<Rounded>>;
 
-/// All equations of a system, ready to be asked along its motions.
+/// All equations of a system, prepared for evaluation along its motions.
 pub(super) struct Prepared<'a> {
     pub system: &'a System,
     pub blocks: Vec<Rc<Equation>>,
-    /// The coordinate behind each column of each constraint.
+    /// For each constraint and column the coordinate; `None` for the ground.
     columns: Vec<Vec<Option<usize>>>,
     pub asked: Vec<Asked>,
-    /// How many names were asked for.
+    /// The number of requested names.
     pub names: usize,
-    /// The memory of one walk, for the next.
+    /// The memory of an evaluation, reused by the next.
     results: Results<Number>,
 }
 
-/// C_q as (row, column, jet), and C_p of each name that was asked for as (row, jet), at one time; a
-/// jet is a number with its first and second derivative by time.
+/// C_q as (row, column, jet), and for each name C_p as (row, jet), at one time. A jet is a number
+/// with its first and second time derivatives.
 pub(super) struct Along<N = f64> {
     pub by_q: Vec<(usize, usize, [N; 3])>,
     pub by_p: Vec<Vec<(usize, [N; 3])>>,
 }
 
 impl<'a> Prepared<'a> {
-    /// For these parameters and dimensions; refuses by name what is not known.
+    /// Prepares the equations for these parameters and dimensions. Returns an error with the name
+    /// of an unknown derivative.
     pub(super) fn new(system: &'a System, names: &[String]) -> Result<Self> {
         let mut blocks = Vec::new();
         let mut columns = Vec::new();
@@ -53,7 +54,7 @@ impl<'a> Prepared<'a> {
                 .iter()
                 .flat_map(|argument| system.layout().columns(argument))
                 .collect();
-            // The derivatives of one kind of constraint are found once.
+            // The derivatives of one kind of constraint are computed once.
             let equation = block.constraint.formula(|table, _, _| {
                 let kind = kinds.entry((std::ptr::from_ref(table) as usize, own.len()));
                 let made = || Equation::of(table.formula(), own.len()).map(Rc::new);
@@ -84,7 +85,7 @@ impl<'a> Prepared<'a> {
         })
     }
 
-    /// C_q and C_p at the time t of a motion with these q, q̇ and q̈.
+    /// Returns C_q and C_p at the time t of a motion with these q, q̇ and q̈.
     pub(super) fn at(&mut self, t: f64, orders: [&[f64]; 3]) -> Along {
         let mut results = std::mem::take(&mut self.results);
         let moving = |j: usize| Real(Dual2_64::new(orders[0][j], orders[1][j], orders[2][j]));
@@ -93,7 +94,8 @@ impl<'a> Prepared<'a> {
         along
     }
 
-    /// The same with bounds of their errors, where q, q̇ and q̈ are off by `off`.
+    /// Returns C_q and C_p with bounds of their errors, where `off` bounds the errors of q, q̇ and
+    /// q̈.
     pub(super) fn bounded(&self, t: f64, orders: [&[f64]; 3], off: [&[f64]; 3]) -> Along<Rounded> {
         let moving = |j: usize| {
             let [x, v, a] = [0, 1, 2].map(|order| Rounded::new(orders[order][j], off[order][j]));
@@ -105,7 +107,7 @@ impl<'a> Prepared<'a> {
         self.walked(t, orders[0], moving, &mut Results::<Bounded>::default())
     }
 
-    /// C_q and C_p by numbers of one kind.
+    /// Returns C_q and C_p in numbers of one kind.
     fn walked<N: InTime>(
         &self,
         t: f64,
@@ -128,7 +130,7 @@ impl<'a> Prepared<'a> {
             let columns: Vec<N> = behind.iter().zip(fixed).map(column).collect();
             block.constraint.formula(|_, parameters, outside| {
                 let walk = Walk { equation, columns: &columns, t, parameters, outside };
-                // The graph has no node too many.
+                // Every node of the graph is needed.
                 evaluate_all(&equation.graph, &walk, results);
                 walk.add(block.rows().start, behind, (number, &self.asked), (results, &mut along));
             });
@@ -137,21 +139,21 @@ impl<'a> Prepared<'a> {
     }
 }
 
-/// A number with two derivatives by time.
+/// A number with two time derivatives.
 trait InTime: kin_graph::Number {
-    /// The kind of its parts.
+    /// The type of its value and derivatives.
     type Part: Copy;
 
-    /// Its value and its derivatives, times a constant.
+    /// Returns the value and the derivatives, times a constant.
     fn jet(self, factor: f64) -> [Self::Part; 3];
 
-    /// Its value.
+    /// Returns the value.
     fn value(&self) -> f64;
 
-    /// f(self), from f and its first three derivatives at the value.
+    /// Returns f(self), from f and its first three derivatives at the value.
     fn through(self, f: [f64; 4]) -> Self;
 
-    /// The time t.
+    /// Creates the time t.
     fn time(t: f64) -> Self;
 }
 
@@ -212,7 +214,7 @@ struct Walk<'a, N> {
 }
 
 impl<N: InTime> Walk<'_, N> {
-    /// Adds the derivatives of its rows, the first of which is row `first` of the system.
+    /// Adds the derivatives of its rows. `first` is the index of its first row in the system.
     fn add(
         &self,
         first: usize,
@@ -255,7 +257,7 @@ impl<N: InTime> Walk<'_, N> {
     }
 }
 
-/// Derivative number `order` of a law at x, with the two that follow.
+/// Returns derivative `order` of a law at x and the two derivatives that follow.
 fn derivatives(law: &crate::model::law::Law, x: f64, order: u8) -> [f64; 4] {
     let [f, f1, f2, f3] = law.jet(x);
     match order {
@@ -289,7 +291,7 @@ impl<N: InTime> Source<N> for Walk<'_, N> {
         x.through(f)
     }
 
-    /// A number that the user's own functions make of parameters does not move.
+    /// A result of the user's functions depends on parameters alone, so it is constant.
     fn opaque(&self, number: usize, component: usize, operands: Vec<N>) -> N {
         let operands: Vec<Dual3_64> =
             operands.iter().map(|x| Dual3_64::from_re(x.value())).collect();

@@ -1,4 +1,4 @@
-//! A parameter by which derivatives are asked for: where it is read.
+//! Finds where the equations read the parameters of derivatives.
 
 use std::rc::Rc;
 
@@ -12,32 +12,32 @@ use crate::system::System;
 use crate::system::dimensions::Moved;
 use crate::system::evaluate::Block;
 
-/// Why a parameter that is not read has no derivative worth asking for.
+/// The reason for refusing a parameter that no equation reads.
 const NOTHING: &str = "no equation depends on it";
 
-/// One parameter.
+/// One parameter that an equation reads.
 pub(super) struct Asked {
-    /// The number of the name that was asked for: that of the parameter, or of a dimension that it
-    /// hangs on.
+    /// The index of the requested name: that of the parameter, or of a dimension on which the
+    /// parameter depends.
     pub name: usize,
-    /// Its own derivative by that.
+    /// The derivative of the parameter by that name.
     pub slope: f64,
-    /// The constraint that reads it.
+    /// The index of the constraint that reads it.
     pub block: usize,
     pub hangs: Hangs,
 }
 
-/// The part of the equation that hangs on it.
+/// The part of the equation that depends on the parameter.
 pub(super) enum Hangs {
-    /// Itself, by its number in the formula.
+    /// A parameter, by its index in the formula.
     Parameter(usize),
-    /// A law, by its number in the formula, of which this is the derivative.
+    /// A law, by its index in the formula, with its derivative by the parameter.
     Law { number: usize, by: Law },
 }
 
 impl Asked {
-    /// The parameters behind name number `number`, a parameter's (`motor.law.rate`) or a
-    /// dimension's.
+    /// Returns the parameters that depend on name number `number`: a parameter (`motor.law.rate`)
+    /// or a dimension.
     pub(super) fn all(
         system: &System,
         equations: &[Rc<Equation>],
@@ -60,11 +60,11 @@ impl Asked {
 }
 
 impl Hangs {
-    /// The part of a constraint's equation that hangs on the number of that name there, and in the
-    /// system; `None` if there is none.
+    /// Returns the part of a constraint's equation that depends on a number, given by its name in
+    /// the constraint and in the system. Returns `None` if there is none.
     fn on(block: &Block, equation: &Equation, (name, full): (&str, &str)) -> Result<Option<Hangs>> {
         let no = |reason: &str| NoDerivative::error(full, reason);
-        // Formulas have those of an axis along it without the `h`.
+        // Formulas name the numbers of an axis along it without the `h`.
         let known = name.replacen(".h.", ".", 1);
         let number = block
             .constraint
@@ -93,8 +93,8 @@ impl Hangs {
     }
 }
 
-/// The law with a parameter of that name, and its number: the one that becomes another one where
-/// the parameter is set.
+/// Returns the law with a parameter of this name, and its index in the formula: the law that
+/// changes if the parameter is set.
 fn law(block: &Block, equation: &Equation, name: &str) -> Option<(usize, Law)> {
     let law = |constraint: &dyn Constraint, number: usize| {
         constraint.formula(|_, _, outside| Given::by(outside, number, &[]).law().cloned()).flatten()

@@ -1,28 +1,28 @@
-//! One equation and its derivatives by its coordinates, its parameters and what its laws give, as a
-//! graph.
+//! One equation and its derivatives by its coordinates, its parameters and the values of its laws,
+//! as a graph.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
 
-/// To the passes of `kin_graph` all that is differentiated by is a coordinate of an argument of its
-/// own: first the columns, then the parameters, then one number for each call of a law, which is
-/// added to what the law gives.
+/// For the passes of `kin_graph` every variable of differentiation is a coordinate of a separate
+/// argument. The columns come first, then the parameters, then one number for each call of a law,
+/// which is added to the value of the law.
 const SELF: Part = Part::R(0);
 
 /// The derivatives of the rows of an equation.
 pub(super) struct Equation {
     pub graph: Graph,
     pub rows: Vec<Slopes>,
-    /// The calls of laws, in the order of their numbers.
+    /// The calls of laws, in the order of their indices.
     pub calls: Vec<Call>,
-    /// Parameters that the user's own functions read: how is not known.
+    /// The parameters that the user's functions read; their derivatives are unknown.
     pub foreign: Vec<usize>,
-    /// Number of columns, and of parameters.
+    /// The number of columns; `parameters` is the number of parameters.
     pub columns: usize,
     pub parameters: usize,
 }
 
-/// One row, and its derivatives that are not zero.
+/// One row, and its nonzero derivatives.
 pub(super) struct Slopes {
     pub residual: Node,
     pub by_column: Vec<(usize, Node)>,
@@ -30,19 +30,19 @@ pub(super) struct Slopes {
     pub by_call: Vec<(usize, Node)>,
 }
 
-/// One call of a law: derivative number `order` of law number `law` at x.
+/// One call of a law: derivative `order` of law `law` at x.
 pub(super) struct Call {
     pub law: usize,
     pub order: u8,
     pub x: Node,
 }
 
-/// Why an equation has no derivatives by parameters.
+/// The reason why an equation has no derivatives by parameters.
 const MOVING: &str = "a function that only rustc can read is asked for something that moves";
 const EMPTY: &str = "its equation is not known as a formula";
 
 impl Equation {
-    /// Of a formula in so many columns.
+    /// Differentiates a formula with this number of columns.
     pub(super) fn of(formula: &Formula, columns: usize) -> Result<Equation, &'static str> {
         let parameters = formula.parameters.len();
         let mut reader =
@@ -78,8 +78,8 @@ impl Equation {
         Equation { graph, rows, calls, foreign, columns, parameters }.compact()
     }
 
-    /// The same with a graph that has no node too many: what was differentiated is not computed
-    /// again.
+    /// Removes unnecessary nodes from the graph, so that operands of differentiation alone are not
+    /// computed.
     fn compact(mut self) -> Result<Equation, &'static str> {
         let from = std::mem::take(&mut self.graph);
         let mut to = Graph::default();
@@ -111,7 +111,7 @@ impl Equation {
         Ok(Equation { graph: to, ..self })
     }
 
-    /// All that has to be computed.
+    /// Returns all nodes that must be computed.
     pub(super) fn outputs(&self) -> Vec<Node> {
         let slopes = self.rows.iter().flat_map(|row| row.by_column.iter().chain(&row.by_parameter));
         let by_call = self.rows.iter().flat_map(|row| &row.by_call);
@@ -120,19 +120,19 @@ impl Equation {
         slopes.chain(by_call).map(|(_, node)| *node).chain(others).collect()
     }
 
-    /// True if all of it is known: no function of the user's stands in it.
+    /// Returns true if everything is known: the equation contains no function of the user.
     pub(super) fn is_read(&self) -> bool {
         self.graph.opaques.is_empty()
     }
 
-    /// True if any row depends on parameter k.
+    /// Returns true if a row depends on parameter k.
     pub(super) fn reads(&self, k: usize) -> bool {
         self.foreign.contains(&k)
             || self.rows.iter().any(|row| row.by_parameter.iter().any(|(known, _)| *known == k))
     }
 }
 
-/// A formula on its way into a graph that can be differentiated by more than coordinates.
+/// Converts a formula to a graph that can be differentiated by more than coordinates.
 struct Reader {
     graph: Graph,
     calls: Vec<Call>,
@@ -141,7 +141,7 @@ struct Reader {
 }
 
 impl Reader {
-    /// One step of the formula.
+    /// Converts one operation of the formula.
     fn read(
         &mut self,
         from: &Graph,
@@ -163,7 +163,7 @@ impl Reader {
                 self.calls.push(Call { law, order, x });
                 to.add(value, change)
             }
-            // The nearest f64, as kernels have it.
+            // The nearest f64, as in compiled kernels.
             Op::Decimal(k) => {
                 from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?
             }

@@ -1,5 +1,4 @@
-//! Numbers that a measure has over a motion, and what they are in the same mechanism with other
-//! dimensions.
+//! Features of a measure over a motion, and their values for other dimensions.
 
 use std::f64::consts::TAU;
 
@@ -10,18 +9,19 @@ use crate::solve::motion::Motion;
 use crate::solve::newton::SolverOptions;
 use crate::system::System;
 
-/// Steps of time in which an extreme is followed to where it has moved.
+/// The number of steps of time in which an extreme is followed.
 const STEPS: usize = 40;
 
 /// A number that a measure has over a motion: its value at a time, an extreme, its stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Feature {
-    /// Its value at this time.   \[s\]
+    /// The value at this time. \[s\]
     At(f64),
-    /// The value of an extreme, wherever in time that moves.
+    /// The value of an extreme, at any time to which it moves.
     Extreme(Extreme),
-    /// Its largest less its smallest value, wherever in time these move: a stroke, a swing, a lift.
+    /// The largest minus the smallest value, at any times to which they move: a stroke, a swing, a
+    /// lift.
     Stroke([Extreme; 2]),
 }
 
@@ -44,14 +44,14 @@ impl From<&Extreme> for Feature {
 }
 
 impl From<&Extremes> for Feature {
-    /// The stroke.
+    /// Returns the stroke.
     fn from(extremes: &Extremes) -> Self {
         Feature::Stroke([extremes.max(), extremes.min()])
     }
 }
 
 impl Feature {
-    /// Its time; of a stroke that of the largest value.   \[s\]
+    /// Returns the time; for a stroke that of the largest value. \[s\]
     pub fn t(&self) -> f64 {
         match self {
             Feature::At(t) => *t,
@@ -59,7 +59,8 @@ impl Feature {
         }
     }
 
-    /// The same with its extremes as they are on the motion. Errors: it has an extreme that is not.
+    /// Returns the feature with its extremes as they are on the motion. Errors: the motion has no
+    /// such extreme.
     fn on_motion(&self, system: &System, motion: &Motion, what: &dyn Measure) -> Result<Feature> {
         let found = |extreme: &Extreme| -> Result<Extreme> {
             Ok(measured::on_motion(system, motion, what, extreme)?.0)
@@ -72,20 +73,19 @@ impl Feature {
     }
 }
 
-/// One value in a feature, which is a sum of them.
+/// One value in a feature, which is a sum of such values.
 pub(super) struct Term {
     pub sign: f64,
     pub t: f64,
-    /// Of a place where the measure turns round, true for a maximum; `None` of a fixed time.
+    /// For an extreme, true for a maximum and false for a minimum; `None` for a fixed time.
     pub turn: Option<bool>,
-    /// The pose there.
+    /// The pose at that time.
     pub pose: Motion,
-    /// The measure of that pose alone, without turns that only a motion counts.
+    /// The measure at that pose alone, without the revolutions that only a motion counts.
     pub here: f64,
 }
 
-/// A feature of a measure, with all that is needed to find it again where dimensions are other
-/// ones.
+/// A feature of a measure, with all data to find it again for other dimensions.
 pub(super) struct Followed<'a, M> {
     pub system: &'a System,
     pub motion: &'a Motion,
@@ -93,13 +93,13 @@ pub(super) struct Followed<'a, M> {
     pub terms: Vec<Term>,
     pub name: String,
     pub unit: String,
-    /// Its value with the dimensions as they are.
+    /// The value at the present dimensions.
     pub nominal: f64,
 }
 
 impl<'a, M: Measure> Followed<'a, M> {
-    /// Errors: those of [`System::at`] and of the measure; an extreme that the measure does not
-    /// have on this motion.
+    /// Creates the feature. Errors: those of [`System::at`] and of the measure; an extreme that the
+    /// measure does not have on this motion.
     pub(super) fn new(
         system: &'a System,
         motion: &'a Motion,
@@ -142,7 +142,7 @@ impl<'a, M: Measure> Followed<'a, M> {
         Ok(Followed { system, motion, what, terms, name, unit, nominal })
     }
 
-    /// Its value in the same mechanism with other dimensions; `None` where it cannot be assembled.
+    /// Returns the value for other dimensions, or `None` if the mechanism cannot be assembled.
     pub(super) fn value(&self, other: &System) -> Option<f64> {
         self.terms.iter().try_fold(self.nominal, |sum, term| {
             let pose = self.pose(term, other)?;
@@ -151,18 +151,18 @@ impl<'a, M: Measure> Followed<'a, M> {
         })
     }
 
-    /// How far a term is from its value here. One pose alone does not count turns.
+    /// Returns the difference of a term from its present value. One pose alone does not count
+    /// revolutions.
     pub(super) fn change(&self, term: &Term, there: f64) -> f64 {
         let change = there - term.here;
         if self.unit == "rad" { change - TAU * (change / TAU).round() } else { change }
     }
 
-    /// Its exact derivatives by dimensions and parameters, in the same mechanism with other
-    /// dimensions. As the rate vanishes at an extreme, its value changes as the measure does at
-    /// that time.
+    /// Returns the exact derivatives by dimensions and parameters, for other dimensions. At an
+    /// extreme the velocity vanishes, so the value changes like the measure at that time.
     ///
-    /// Errors: those of [`System::sensitivities`] and of the measure; `None` where it cannot be
-    /// assembled.
+    /// Errors: those of [`System::sensitivities`] and of the measure. Returns `None` if the
+    /// mechanism cannot be assembled.
     pub(super) fn gradient(&self, other: &System, names: &[String]) -> Result<Option<Vec<f64>>> {
         let mut sum = vec![0.0; names.len()];
         for term in &self.terms {
@@ -173,7 +173,7 @@ impl<'a, M: Measure> Followed<'a, M> {
         Ok(Some(sum))
     }
 
-    /// The pose of a term in the same mechanism with other dimensions.
+    /// Returns the pose of a term for other dimensions.
     pub(super) fn pose(&self, term: &Term, other: &System) -> Option<Motion> {
         let found = match term.turn {
             None => other.next_to(term.t, term.pose.q(0)).ok(),
@@ -186,7 +186,7 @@ impl<'a, M: Measure> Followed<'a, M> {
         found.filter(|pose| orientation(self.system, &term.pose) == orientation(other, pose))
     }
 
-    /// The extreme next to that of the term, by Newton's method on the rate.
+    /// Returns the extreme nearest to that of the term, by Newton's method on the velocity.
     fn turned(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
         let [from, to] = [self.motion.times().first()?, self.motion.times().last()?];
         let span = (to - from).abs();
@@ -212,7 +212,7 @@ impl<'a, M: Measure> Followed<'a, M> {
         None
     }
 
-    /// The extreme of the same kind that is next in time, of a whole run.
+    /// Returns the extreme of the same kind that is nearest in time, from a complete run.
     fn searched(&self, term: &Term, other: &System, is_max: bool) -> Option<Motion> {
         let motion = other
             .guessed(self.motion.q(0))
@@ -228,7 +228,8 @@ impl<'a, M: Measure> Followed<'a, M> {
     }
 }
 
-/// True if det C_q > 0, which changes at singular positions only; `None` where there is no sign.
+/// Returns true if det C_q > 0. The sign changes at singular positions only. Returns `None` if
+/// there is no sign.
 pub(super) fn orientation(system: &System, t: f64, q: &[f64]) -> Option<bool> {
     let c_q = system.jacobian(q, t).ok().filter(|c_q| c_q.is_square())?;
     let lu = c_q.lu();
@@ -236,7 +237,7 @@ pub(super) fn orientation(system: &System, t: f64, q: &[f64]) -> Option<bool> {
     Some((minus % 2 == 0) == (lu.p().determinant::<f64>() > 0.0))
 }
 
-/// No search of the whole space where there is no position next to the guess.
+/// Returns options without a search of the whole space if there is no position near the guess.
 pub(super) fn unrescued() -> SolverOptions {
     SolverOptions::new().rescue(false)
 }

@@ -9,50 +9,56 @@ use crate::model::no_derivative::NoDerivative;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// Derivatives of a measure by one parameter, one value a time.
+/// The derivatives of a measure by one parameter, with one value for each time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MeasureSensitivity {
     /// The parameter.
     pub name: String,
-    /// ∂y/∂p   \[unit of y a unit of p\]
+    /// ∂y/∂p at each time. \[unit of y per unit of p\]
     pub value: Vec<f64>,
-    /// ∂ẏ/∂p   \[unit of ẏ a unit of p\]
+    /// ∂ẏ/∂p at each time. \[unit of ẏ per unit of p\]
     pub rate: Vec<f64>,
-    /// ∂ÿ/∂p   \[unit of ÿ a unit of p\]
+    /// ∂ÿ/∂p at each time. \[unit of ÿ per unit of p\]
     pub second_rate: Vec<f64>,
 }
 
-/// How an extreme of a measure changes with one parameter.
+/// The derivatives of an extreme of a measure by one parameter.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ExtremeSensitivity {
     /// The parameter.
     pub name: String,
-    /// The derivative of its time.   \[s a unit of p\]
+    /// The derivative of its time. \[s per unit of p\]
     pub t: f64,
-    /// The derivative of its value.   \[unit of y a unit of p\]
+    /// The derivative of its value. \[unit of y per unit of p\]
     pub value: f64,
 }
 
 impl Sensitivities<'_> {
-    /// The derivatives of a measure and its rates by each parameter, at fixed times; exact. `what`
-    /// is a name, a coordinate or a function of a motion ([`Measure`]), such as a coordinate of a
-    /// point. What the measure depends on a parameter itself, not through the motion, is not known.
+    /// Returns the exact derivatives of a measure and of its time derivatives by each parameter, at
+    /// fixed times.
     ///
-    /// Errors: those of [`crate::System::measure`]; by name a measure of the joint whose own
-    /// parameter it is.
+    /// The argument `what` is a name, a coordinate or a function of a motion ([`Measure`]), such as
+    /// a coordinate of a point.
+    ///
+    /// A direct dependence of the measure on a parameter, which does not come through
+    /// the motion, is not included.
+    ///
+    /// Errors: those of [`crate::System::measure`]; by name a measure of the joint that has the
+    /// parameter.
     pub fn of(&self, what: impl Measure) -> Result<Vec<MeasureSensitivity>> {
         self.each(&what)
     }
 
-    /// How time and value of an extreme of a measure change with each parameter. As the rate
-    /// vanishes there, dt/dp = −ẏ_p/ÿ and the value changes by y_p. The largest or smallest value
-    /// at an end of the run, where the measure does not turn round, stays at that time.
+    /// Returns the derivatives of time and value of an extreme of a measure by each parameter.
+    ///
+    /// At the extreme the velocity vanishes, so dt/dp = −ẏ_p/ÿ, and the value changes by y_p. If
+    /// the largest or smallest value is at an end of the run and is no extreme, its time is fixed.
     ///
     /// Errors: those of [`Sensitivities::of`], [`crate::System::extremes`] and
-    /// [`crate::System::at`]; by name an extreme that the measure does not have on this motion; one
-    /// at which the second rate vanishes too.
+    /// [`crate::System::at`]; by name an extreme that the measure does not have on this motion; an
+    /// extreme at which the acceleration vanishes too.
     pub fn extreme(
         &self,
         what: impl Measure,
@@ -88,8 +94,11 @@ impl Sensitivities<'_> {
         there.each(what)?.into_iter().map(found).collect()
     }
 
-    /// How the difference of two extremes of a measure, the first less the second, changes with
-    /// each parameter: of the values (a stroke, a swing) and of the times (between dead centres).
+    /// Returns the derivatives of the difference of two extremes of a measure, first minus second,
+    /// by each parameter.
+    ///
+    /// The difference of the values is a stroke or a swing, that of the times the time between dead
+    /// centres.
     ///
     /// Errors: those of [`Sensitivities::extreme`].
     pub fn between(
@@ -115,8 +124,8 @@ impl Sensitivities<'_> {
     }
 }
 
-/// The extreme of a measure on a motion that this one is, and true if the measure turns round
-/// there. Errors: those of [`System::extremes`]; it is none of this motion.
+/// Returns the extreme of the motion that corresponds to this one, and true if the measure changes
+/// direction there. Errors: those of [`System::extremes`]; the motion has no such extreme.
 pub(super) fn on_motion(
     system: &System,
     motion: &Motion,
@@ -126,7 +135,7 @@ pub(super) fn on_motion(
     system.extremes(motion, |motion: &Motion| what.of(system, motion))?.find(extreme)
 }
 
-/// y_p = y_q q_p and its derivatives by time.
+/// Returns y_p = y_q q_p and its time derivatives.
 fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> MeasureSensitivity {
     let none = || vec![0.0; times];
     let name = by.name().to_string();
@@ -143,7 +152,7 @@ fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> Measu
     sum
 }
 
-/// An error by name where a measure is one of the joint whose parameter that is.
+/// Returns an error, by name, if a measure belongs to the joint that has the parameter.
 pub(super) fn refuse_own(system: &System, what: &dyn Measure, by: &str) -> Result<()> {
     let Some(place) = what.name().and_then(|name| system.place_of(name)) else { return Ok(()) };
     if system.moving_with(by)?.iter().any(|moved| moved.block == place.block) {

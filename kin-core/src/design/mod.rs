@@ -1,20 +1,23 @@
-//! Derivatives of a motion by parameters, exact and without differences.
+//! Exact derivatives of a motion by parameters, without finite differences.
 //!
-//! With J = C_q and P = C_p along the motion, both as functions of time, C(q(t, p), t, p) = 0 gives
+//! Let J = C_q and P = C_p along the motion, both functions of time. Then C(q(t, p), t, p) = 0
+//! gives
 //!
 //! ```text
 //! J q_p = −P        J q̇_p = −Ṗ − J̇ q_p        J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p
 //! ```
 //!
-//! One walk over the derivatives of each equation with second-order numbers along time gives J, J̇,
-//! J̈ and P, Ṗ, P̈ for all parameters (`equation.rs`, `along.rs`). The same factors of J then serve
-//! every parameter forward (`sensitivities.rs`, `solver.rs`), and transposed every parameter at
-//! once (`adjoint.rs`), which is what optimisers ask for (`objective.rs`). Superfluous equations of
-//! a redundant mechanism have to agree (`agreement.rs`). Along a motion of many times all of it is
-//! one tape, and the walk is for what is left (`variation/`). A measure reports what it reads
-//! (`partials.rs`, `measured.rs`). The time of a toggle stands by itself (`toggle.rs`). With
-//! tolerances of dimensions derivatives tell how far a measure, or an extreme or a stroke of it
-//! (`feature.rs`), may be off (`tolerance/`).
+//! * `equation.rs` and `along.rs` evaluate the derivatives of each equation with second-order
+//!   numbers along time. This gives J, J̇, J̈ and P, Ṗ, P̈ for all parameters.
+//! * `sensitivities.rs` and `solver.rs` solve forward for every parameter with the factors of J.
+//! * `adjoint.rs` solves with the transposed factors for every parameter at once. Optimisers need
+//!   this (`objective.rs`).
+//! * `agreement.rs` checks the redundant equations of a mechanism.
+//! * `variation/` makes one tape of all this for motions of many times.
+//! * `partials.rs` and `measured.rs` differentiate measures.
+//! * `toggle.rs` differentiates the time of a toggle.
+//! * `tolerance/` computes from tolerances of dimensions how far a measure, an extreme or a stroke
+//!   (`feature.rs`) can deviate.
 
 mod adjoint;
 mod agreement;

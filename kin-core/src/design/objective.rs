@@ -1,4 +1,4 @@
-//! A number of a motion as a function of dimensions, with its gradient: what optimisers ask for.
+//! A number of a motion as a function of dimensions, with its gradient, for optimisers.
 
 use crate::ask::measure::Measure;
 use crate::model::error::{Error, Result};
@@ -6,8 +6,8 @@ use crate::solve::motion::Quantity;
 use crate::solve::newton::run;
 use crate::system::System;
 
-/// A function p → (value, gradient) of dimensions and parameters: it sets them, runs, and makes one
-/// number of a measure ([`System::objective`]).
+/// A function p → (value, gradient) of dimensions and parameters ([`System::objective`]). It sets
+/// them, runs the motion, and computes one number from a measure.
 pub struct Objective<M, F> {
     system: System,
     names: Vec<String>,
@@ -17,11 +17,12 @@ pub struct Objective<M, F> {
 }
 
 impl System {
-    /// A function of dimensions and parameters with its exact gradient, for an optimiser of one's
-    /// own: the motion over the times is run with them, and `cost` makes of the measure y over it
-    /// the number F, and ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. One backward solve serves all of them
-    /// ([`System::gradient`]). The function works on a copy of the system; with the feature
-    /// `argmin` it has the traits of that crate.
+    /// Creates a function of dimensions and parameters with its exact gradient, for an optimiser.
+    ///
+    /// The function runs the motion over the times. `cost` computes the number F from the measure
+    /// y, and ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. One backward solve serves all parameters
+    /// ([`System::gradient`]). The function works on a copy of the system. With the feature
+    /// `argmin` it implements the traits of that crate.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -44,7 +45,7 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors: a name that nothing has; times that do not only increase or only decrease.
+    /// Errors: a name that nothing has; times that neither increase nor decrease throughout.
     pub fn objective<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)>(
         &self,
         names: impl IntoIterator<Item = impl AsRef<str>>,
@@ -61,21 +62,21 @@ impl System {
 }
 
 impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
-    /// The dimensions and parameters, in the order of p.
+    /// Returns the names of the dimensions and parameters, in the order of p.
     pub fn names(&self) -> &[String] {
         &self.names
     }
 
-    /// The values that they have now: where a search may begin.
+    /// Returns their present values, where a search can begin.
     pub fn start(&self) -> Vec<f64> {
         self.names.iter().map(|name| self.system.parameter(name).unwrap_or(f64::NAN)).collect()
     }
 
-    /// Value and gradient at p.
+    /// Returns the value and the gradient at p.
     ///
-    /// Errors: another count of numbers; those of [`System::set`], [`System::run`], of the measure
-    /// and [`System::gradient`]: where there is no motion, there is no value; a number of `cost`
-    /// that is not finite, or other weights than one for each time.
+    /// Errors: a wrong number of values; those of [`System::set`], [`System::run`], of the measure
+    /// and of [`System::gradient`], because without a motion there is no value; a result of `cost`
+    /// that is not finite, or that has not one weight for each time.
     pub fn at(&self, p: &[f64]) -> Result<(f64, Vec<f64>)> {
         let (system, motion, y) = self.asked(p)?;
         let (value, weights) = self.number(&y)?;
@@ -84,7 +85,7 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
         Ok((value, system.gradient(&motion, &self.names, what, weight)?))
     }
 
-    /// The value at p alone. Errors: those of [`Objective::at`].
+    /// Returns the value at p alone. Errors: those of [`Objective::at`].
     pub fn value(&self, p: &[f64]) -> Result<f64> {
         self.number(&self.asked(p)?.2).map(|(value, _)| value)
     }
@@ -122,7 +123,7 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
     }
 }
 
-/// A measure that is lent.
+/// A borrowed measure.
 struct Named<'a, M> {
     what: &'a M,
 }

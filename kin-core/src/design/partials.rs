@@ -1,10 +1,10 @@
-//! How a measure depends on coordinates: y_q with its first two derivatives by time, of the
-//! coordinates that it reads.
+//! The derivatives of a measure by coordinates: y_q with its first two time derivatives, for the
+//! coordinates on which the measure depends.
 //!
-//! A measure y is asked along the motions q + a s e_j that begin at the pose of each time: its
-//! derivatives by s up to the third are polynomials in a of that degree, and the linear coefficient
-//! of derivative k + 1 is (k + 1) times derivative k of y_q. Their values at two or four changes a
-//! give it exactly: nothing is approximated.
+//! Kin evaluates a measure y along the motions q + a s e_j that begin at the pose of each time. Its
+//! derivatives by s up to the third are polynomials in a of that degree. The linear coefficient of
+//! derivative k + 1 is (k + 1) times derivative k of y_q. The values at two or four a determine it
+//! exactly, without approximation.
 
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
@@ -12,10 +12,10 @@ use crate::numbers::random::Random;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// ∂y/∂q_j, and its first and second derivative by time, at each time.
+/// ∂y/∂q_j and its first and second time derivatives, at each time.
 pub(super) type Partial = [Vec<f64>; 3];
 
-/// Those by all coordinates that a measure reads, by their numbers.
+/// Returns the derivatives by all coordinates on which a measure depends, with their indices.
 pub(super) fn partials(
     system: &System,
     motion: &Motion,
@@ -30,14 +30,14 @@ pub(super) fn partials(
     columns.into_iter().map(|j| Ok((j, asked.partial(j)?))).collect()
 }
 
-/// A measure along a motion whose rates are changed.
+/// A measure along a motion with changed velocities.
 struct Changed<'a> {
     system: &'a System,
     what: &'a dyn Measure,
     motion: Motion,
-    /// Without a change.
+    /// The measure without a change.
     still: Quantity,
-    /// The size of changes: those of the size of the rates lose the fewest digits.
+    /// The size of changes. Changes as large as the velocities lose the fewest digits.
     size: f64,
 }
 
@@ -52,7 +52,7 @@ impl<'a> Changed<'a> {
         Ok(Changed { system, what, motion: own, still, size })
     }
 
-    /// The measure with these changes of rates.
+    /// Returns the measure with these changes of velocities.
     fn asked(&mut self, changes: &[(usize, f64)]) -> Result<Quantity> {
         let n = self.motion.names().len();
         let mut before = Vec::with_capacity(changes.len() * self.motion.len());
@@ -70,8 +70,9 @@ impl<'a> Changed<'a> {
         asked
     }
 
-    /// The coordinates that it reads: halves of all that change nothing are put aside at once.
-    /// Changes are random, lest those of two coordinates cancel.
+    /// Returns the coordinates on which the measure depends, by bisection: a half that changes
+    /// nothing is excluded at once. Changes are random, so that those of two coordinates do not
+    /// cancel.
     fn read(&mut self) -> Result<Vec<usize>> {
         let n = self.motion.names().len();
         let mut open = vec![(0, n)];
@@ -97,7 +98,7 @@ impl<'a> Changed<'a> {
         Ok(read)
     }
 
-    /// The derivatives by coordinate j.
+    /// Returns the derivatives by coordinate j.
     fn partial(&mut self, j: usize) -> Result<Partial> {
         let h = self.size;
         let mut both = |h: f64| Result::Ok([self.asked(&[(j, h)])?, self.asked(&[(j, -h)])?]);

@@ -7,7 +7,7 @@ use crate::model::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// Derivatives of a motion by some parameters, at fixed times.
+/// The derivatives of a motion by some parameters, at fixed times.
 pub struct Sensitivities<'a> {
     pub(super) system: &'a System,
     pub(super) motion: &'a Motion,
@@ -15,7 +15,7 @@ pub struct Sensitivities<'a> {
     compiled: usize,
 }
 
-/// Derivatives of q, q̇ and q̈ by one parameter, at each time of a motion.
+/// The derivatives of q, q̇ and q̈ by one parameter, at each time of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
     name: String,
@@ -24,17 +24,17 @@ pub struct Sensitivity {
 }
 
 impl System {
-    /// How a motion of this system changes with parameters (their names are those of
-    /// [`System::parameters`]): the derivatives of q, q̇ and q̈ by each of them at fixed times,
-    /// exact and without differences. From C(q(t, p), t, p) = 0 and its first two derivatives by
-    /// time,
+    /// Returns the exact derivatives of q, q̇ and q̈ of a motion by each parameter, at fixed times.
+    ///
+    /// The names are those of [`System::parameters`]. Kin uses no finite differences: C(q(t, p), t,
+    /// p) = 0 and its first two time derivatives give
     ///
     /// ```text
     /// C_q q_p = −C_p      C_q q̇_p = −Ċ_p − Ċ_q q_p      C_q q̈_p = −C̈_p − 2 Ċ_q q̇_p − C̈_q q_p
     /// ```
     ///
-    /// (Haug, *Computer Aided Kinematics and Dynamics*, 1989, has the first; the others are its
-    /// derivatives.)
+    /// (Haug, *Computer Aided Kinematics and Dynamics*, 1989, contains the first; the others are
+    /// its derivatives.)
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -51,11 +51,13 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors, each by name: a name that is no parameter; a parameter on which nothing depends;
-    /// constraints on the dual route or by hand, and laws whose derivative is not known; a
-    /// redundant mechanism that closes at one value of the parameter only; a motion with a singular
-    /// position, or with a kink or a break of a law at one of its times; a motion of another
-    /// system.
+    /// Errors, each by name:
+    ///
+    /// * a name that no parameter has, a parameter on which nothing depends;
+    /// * constraints on the dual route or written by hand, and laws whose derivative is unknown;
+    /// * a redundant mechanism that closes at one value of the parameter only;
+    /// * a motion with a singular position, or with a kink or a break of a law at one of its times;
+    /// * a motion of another system.
     pub fn sensitivities<'a>(
         &'a self,
         motion: &'a Motion,
@@ -66,7 +68,7 @@ impl System {
         smooth::check(self, motion, names.first().map_or("", String::as_str))?;
         let mut prepared = Prepared::new(self, &names)?;
         let n = self.n_coordinates();
-        // Not numbers until they are written.
+        // NaN until they are written.
         let list = || vec![f64::NAN; n * motion.len()];
         let empty =
             |name: &String| Sensitivity { name: name.clone(), n, orders: [list(), list(), list()] };
@@ -94,20 +96,21 @@ impl System {
 }
 
 impl Sensitivities<'_> {
-    /// Those by each parameter, in the order in which they were asked for.
+    /// Returns the derivatives by each parameter, in the order of the names.
     pub fn all(&self) -> &[Sensitivity] {
         &self.all
     }
 
-    /// At how many times they come from a tape of the whole mechanism over several times at once;
-    /// at the others from a walk over the equations, one time after the other: along motions of a
-    /// few times, where the mechanism is redundant or near a singular position, and on machines
-    /// without lanes.
+    /// Returns the number of times that a tape of the whole mechanism has computed, over several
+    /// times at once.
+    ///
+    /// The other times are computed one after the other: for motions of a few times, for redundant
+    /// mechanisms, near singular positions, and on machines without SIMD.
     pub fn compiled(&self) -> usize {
         self.compiled
     }
 
-    /// That by one parameter. Errors: a name that was not asked for.
+    /// Returns the derivatives by one parameter. Errors: a name that was not requested.
     pub fn by(&self, name: &str) -> Result<&Sensitivity> {
         self.all.iter().find(|one| one.name == name).ok_or_else(|| Error::UnknownName {
             what: "parameter among those that were asked for",
@@ -118,23 +121,23 @@ impl Sensitivities<'_> {
 }
 
 impl Sensitivity {
-    /// The parameter.
+    /// Returns the name of the parameter.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// ∂q/∂p at time k, in the order of the coordinates; empty beyond the last time.   \[unit of q
-    /// a unit of p\]
+    /// Returns ∂q/∂p at time k, in the order of the coordinates. It is empty beyond the last time.
+    /// \[unit of q per unit of p\]
     pub fn q(&self, k: usize) -> &[f64] {
         self.row(0, k)
     }
 
-    /// ∂q̇/∂p at time k; empty beyond the last time.   \[unit of q̇ a unit of p\]
+    /// Returns ∂q̇/∂p at time k. It is empty beyond the last time. \[unit of q̇ per unit of p\]
     pub fn qd(&self, k: usize) -> &[f64] {
         self.row(1, k)
     }
 
-    /// ∂q̈/∂p at time k; empty beyond the last time.   \[unit of q̈ a unit of p\]
+    /// Returns ∂q̈/∂p at time k. It is empty beyond the last time. \[unit of q̈ per unit of p\]
     pub fn qdd(&self, k: usize) -> &[f64] {
         self.row(2, k)
     }

@@ -1,5 +1,5 @@
-//! Where a motion has no derivatives by parameters: beyond singular positions, at kinks and breaks
-//! of laws.
+//! Finds where a motion has no derivatives by parameters: beyond singular positions, at kinks and
+//! at breaks of laws.
 
 use kin_graph::Op;
 
@@ -11,17 +11,18 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Times this share of the step apart are one time.   \[-\]
+/// Times closer than this share of the step are equal. \[-\]
 const SAME: f64 = 1e-9;
 
-/// Rows that are this far apart beside a pose, in their norms, jump there.   \[-\]
+/// A row jumps if its values on both sides of a pose differ by more than this share of its norm.
+/// \[-\]
 const JUMP: f64 = 1e-5;
 
-/// Directions in which a pose is looked at.
+/// The number of random directions in which a pose is tested.
 const DIRECTIONS: usize = 2;
 
-/// An error by name unless the motion is smooth at each of its times, on a branch that it has never
-/// left.
+/// Returns an error, by name, unless the motion is smooth at each of its times, on a branch that it
+/// has never left.
 pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
     let s = motion.unit_words().time();
     if let Some(found) = motion.singular_positions().first() {
@@ -57,7 +58,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
         for block in &breaking {
             block.constraint.laws(&equations.at(block, &instant), &mut |law, f, x| {
                 let near = near.max(SAME * x.abs());
-                // The run does not go beyond a table that ends where it does.
+                // A run may end where a table ends.
                 let is_end = |x: f64| {
                     ends && f.is_table() && f.range().is_some_and(|range| range.ends_at(x))
                 };
@@ -77,7 +78,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
     Ok(())
 }
 
-/// The constraints with a law that breaks somewhere.
+/// Returns the constraints with a law that has a break.
 fn breaking<'a>(system: &'a System, motion: &Motion) -> Vec<&'a Block> {
     let (equations, Some(t)) = (system.equations(), motion.times().first()) else {
         return Vec::new();
@@ -92,12 +93,12 @@ fn breaking<'a>(system: &'a System, motion: &Motion) -> Vec<&'a Block> {
     equations.blocks.iter().filter(breaks).collect()
 }
 
-/// An error by name where the motion has a kink at that time.
+/// Returns an error, by name, if the motion has a kink at that time.
 pub(super) fn kink(motion: &Motion, t: f64, by: &str) -> Result<()> {
     kink_within(motion, (t, step(motion)), by)
 }
 
-/// The same of a motion whose longest step is known.
+/// Returns an error, by name, if the motion has a kink at that time; its longest step is given.
 fn kink_within(motion: &Motion, (t, step): (f64, f64), by: &str) -> Result<()> {
     let s = motion.unit_words().time();
     let near = SAME * step.max(t.abs());
@@ -106,10 +107,10 @@ fn kink_within(motion: &Motion, (t, step): (f64, f64), by: &str) -> Result<()> {
     Err(NoDerivative::error(by, format!("at t = {t} {s} there is {}; ask other times", kink.text)))
 }
 
-/// Poses beside those of a motion, at which equations with switches and jumps are looked at.
+/// Poses near those of a motion, to test equations with switches and jumps.
 struct Beside<'a> {
     system: &'a System,
-    /// True if some equation has functions that jump, or switches.
+    /// True if some equation contains functions that jump, or switches.
     asked: bool,
 }
 
@@ -130,9 +131,10 @@ impl<'a> Beside<'a> {
         Beside { system, asked: asked || !system.switching().is_empty() }
     }
 
-    /// An error by name where an equation has a kink or a jump at time k of a motion, whose longest
-    /// step is `step`: a little to either side of the pose, in directions at random, its switches
-    /// are on other sides, or its values far apart.
+    /// Returns an error, by name, if an equation has a kink or a jump at time k of a motion with
+    /// the longest step `step`. The test moves a little to both sides of the pose in random
+    /// directions. There the equation has a kink if its switches differ, and a jump if its values
+    /// differ much.
     fn check(&self, motion: &Motion, (k, step): (usize, f64), by: &str) -> Result<()> {
         if !self.asked {
             return Ok(());
@@ -178,7 +180,7 @@ impl<'a> Beside<'a> {
     }
 }
 
-/// The longest step of a motion; 1 of one time alone.
+/// Returns the longest step of a motion, or 1 for a single time.
 fn step(motion: &Motion) -> f64 {
     let steps = motion.times().windows(2).map(|pair| (pair[1] - pair[0]).abs());
     steps.reduce(f64::max).unwrap_or(1.0)

@@ -1,4 +1,4 @@
-//! The equations of derivatives by one parameter at one time, solved with the factors of C_q.
+//! Solves the equations of derivatives by one parameter at one time, with the factors of C_q.
 
 use std::cell::OnceCell;
 
@@ -13,34 +13,35 @@ use crate::solve::newton::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Measures;
 
-/// Equations of a redundant mechanism may differ by this share of their terms.   \[-\]
+/// The permitted difference of the equations of a redundant mechanism, as a share of their terms.
+/// \[-\]
 pub(super) const CONSISTENT: f64 = 1e-8;
 
-/// They may differ by so many times the bound of the first order that rounding has.   \[-\]
+/// The permitted difference, as a multiple of the first-order bound of rounding. \[-\]
 pub(super) const ROUNDED: f64 = 16.0;
 
 /// C_q at one time after the other, factored.
 pub(super) struct SlopeSolver<'a> {
     system: &'a System,
     t: f64,
-    /// q, q̇ and q̈ there.
+    /// q, q̇ and q̈ at the time.
     orders: [&'a [f64]; 3],
-    /// C_q and C_p there with bounds of their errors, once they are needed.
+    /// C_q and C_p at the time with bounds of their errors, computed at the first use.
     bounded: OnceCell<Along<Rounded>>,
     kind: Kind,
 }
 
 enum Kind {
     Square(Option<Box<Linear>>),
-    /// Before the first time there are no measures.
+    /// `None` before the first time.
     Redundant(Option<Box<Redundant>>),
 }
 
-/// As many independent equations as there are coordinates, and the others, which have to agree.
+/// As many independent equations as there are coordinates, and the others, which must agree.
 struct Redundant {
     rows: Independent,
     measures: Measures,
-    /// The factor of each value of C_q that makes it of order 1.
+    /// For each value of C_q the factor that scales it to order 1.
     scales: Vec<f64>,
     /// The largest |C_i| at the time, as a share of the row's norm.
     residual: f64,
@@ -52,7 +53,7 @@ impl<'a> SlopeSolver<'a> {
         SlopeSolver { system, t: f64::NAN, orders: [&[]; 3], bounded: OnceCell::new(), kind }
     }
 
-    /// To the time t of a motion with these q, q̇ and q̈. Errors: a singular position.
+    /// Moves to the time t of a motion with these q, q̇ and q̈. Errors: a singular position.
     pub(super) fn go_to(&mut self, t: f64, orders: [&'a [f64]; 3]) -> Result<()> {
         (self.t, self.orders) = (t, orders);
         self.bounded = OnceCell::new();
@@ -75,7 +76,7 @@ impl<'a> SlopeSolver<'a> {
         Ok(())
     }
 
-    /// The solution of C_qᵀ λ = w; of a redundant mechanism the one that is zero in the rows that
+    /// Returns the solution of C_qᵀ λ = w. For a redundant mechanism it is zero in the rows that
     /// are not in use.
     pub(super) fn transposed(&self, w: &[f64]) -> Vec<f64> {
         match &self.kind {
@@ -85,13 +86,13 @@ impl<'a> SlopeSolver<'a> {
         }
     }
 
-    /// The number of coordinates.
+    /// Returns the number of coordinates.
     pub(super) fn columns(&self) -> usize {
         self.system.n_coordinates()
     }
 
-    /// The rows of a redundant mechanism that are in use, in increasing order, and the norms of all
-    /// rows; `None` where no equation is superfluous.
+    /// Returns the rows of a redundant mechanism that are in use, in increasing order, and the
+    /// norms of all rows. Returns `None` if no equation is redundant.
     pub(super) fn in_use(&self) -> Option<(&[usize], &[f64])> {
         match &self.kind {
             Kind::Redundant(Some(redundant)) => {
@@ -101,7 +102,7 @@ impl<'a> SlopeSolver<'a> {
         }
     }
 
-    /// q_p, q̇_p and q̈_p by the name of that number.
+    /// Returns q_p, q̇_p and q̈_p by the name with this index.
     pub(super) fn forward(
         &mut self,
         prepared: &Prepared<'_>,
@@ -132,7 +133,7 @@ impl<'a> SlopeSolver<'a> {
         Ok(found)
     }
 
-    /// x with C_q x = rhs.
+    /// Returns x with C_q x = rhs.
     fn solved(&mut self, rhs: &[f64]) -> Vec<f64> {
         match &mut self.kind {
             Kind::Square(Some(linear)) => {
@@ -145,8 +146,8 @@ impl<'a> SlopeSolver<'a> {
         }
     }
 
-    /// An error by name where the last solution does not meet all equations: then they can be met
-    /// at one value of the parameter only.
+    /// Returns an error, by name, if the last solution does not satisfy all equations. Then the
+    /// mechanism closes at one value of the parameter only.
     fn agree(
         &self,
         prepared: &Prepared<'_>,
@@ -171,8 +172,8 @@ impl<'a> SlopeSolver<'a> {
         if largest <= CONSISTENT * size {
             return Ok(());
         }
-        // Terms that cancel leave rounding: where a rate does not depend on the parameter, nothing
-        // else is left.
+        // Terms that cancel leave rounding. If a derivative does not depend on the parameter, only
+        // rounding remains.
         if largest <= ROUNDED * self.rounding(prepared, number, (found, order)) {
             return Ok(());
         }
@@ -223,7 +224,7 @@ impl Redundant {
         }
     }
 
-    /// C_q at a position. Errors: a singular position.
+    /// Factors C_q at a position. Errors: a singular position.
     fn factor(&mut self, system: &System, q: &[f64], t: f64) -> Result<()> {
         let model = system.model();
         let equations = system.equations();
@@ -252,7 +253,7 @@ impl Redundant {
         self.rows.solved_transposed(&scaled).iter().zip(norms).map(|(y, norm)| y / norm).collect()
     }
 
-    /// How far q, q̇ and q̈ may be off: they are solved for with the same factors.
+    /// Returns bounds of the errors of q, q̇ and q̈, which were solved with the same factors.
     fn off(&self, orders: [&[f64]; 3]) -> [Vec<f64>; 3] {
         let sizes = &self.measures.sizes;
         let largest =
@@ -274,8 +275,8 @@ impl Redundant {
             .unwrap_or_default()
     }
 
-    /// How far rounding may bring the equations of one order apart, as a share of their norms: the
-    /// errors of their terms, and of the solutions of lower orders in them.   \[-\]
+    /// Returns the bound of rounding in the equations of one order, as a share of their norms: the
+    /// errors of their terms, and of the solutions of lower orders in them. \[-\]
     fn rounding(
         &self,
         along: &Along<Rounded>,
@@ -283,7 +284,7 @@ impl Redundant {
         (found, last): (&[Vec<f64>; 3], usize),
     ) -> f64 {
         let Measures { norms, sizes, .. } = &self.measures;
-        // By how much of its size each solution is off.
+        // The relative error of each solution.
         let mut apart = [0.0_f64; 3];
         let mut worst = 0.0;
         for order in 0..=last {

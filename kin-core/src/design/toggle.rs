@@ -1,4 +1,4 @@
-//! How the time of a toggle changes with parameters.
+//! The derivative of the time of a toggle by parameters.
 
 use nalgebra::DMatrix;
 
@@ -11,28 +11,31 @@ use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;
 use crate::system::System;
 
-/// Singular values below this share of the largest vanish.   \[-\]
+/// Singular values below this share of the largest one are zero. \[-\]
 const VANISHES: f64 = 1e-7;
 
-/// A driver takes part in what is singular if λ has more than this share of its row, rows and
-/// columns being of order 1 and λ of length 1; and those that take part have to push with more than
-/// this share of what they could together.
+/// A driver takes part in the singularity if λ has more than this share in its row, for rows and
+/// columns of order 1 and |λ| = 1. The drivers that take part must push with more than this share
+/// of their possible sum.
 ///
-/// A run knows the place of a change point to some 1e-8 of its sizes, and λ turns by as much: a
-/// share of 1e-6 is a hundred times that. Both are shares in units of the sizes, so that they are
-/// the same in mm and in km. A driver that takes no part may be as fast as it likes.   \[-\]
+/// A run knows a change point to about 1e-8 of its sizes, and λ has the same error, so 1e-6 is a
+/// hundred times that. Both are shares in units of the sizes, so they are the same in mm and in km.
+/// The speed of a driver that takes no part does not matter. \[-\]
 const PUSHES: f64 = 1e-6;
 
 impl System {
-    /// How the time t* of a toggle changes with parameters and dimensions: exact. At a toggle one
-    /// combination λ of the equations reads no coordinate, λᵀ C_q = 0, so that along C(q, t, p) = 0
+    /// Returns the exact derivatives of the time t* of a toggle by parameters and dimensions. \[s
+    /// per unit of p\]
+    ///
+    /// At a toggle one combination λ of the equations depends on no coordinate, λᵀ C_q = 0. So C(q,
+    /// t, p) = 0 gives
     ///
     /// ```text
     /// dt*/dp = −λᵀ C_p / λᵀ C_t
     /// ```
     ///
-    /// wherever the coordinates go. The toggle is that of a run that has ended there: the last of
-    /// [`Motion::singular_positions`] in [`crate::Error::motion`].   \[s a unit of p\]
+    /// for any motion of the coordinates. The toggle must have ended a run: it is the last of
+    /// [`Motion::singular_positions`] in [`crate::Error::motion`].
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -56,8 +59,8 @@ impl System {
     /// ```
     ///
     /// Errors, each by name: a change point, whose branches cross at this value only; a redundant
-    /// mechanism; several parts that are singular at once; and those of [`System::sensitivities`]
-    /// but the first one.
+    /// mechanism; several parts that are singular at once; those of [`System::sensitivities`]
+    /// except the singular position.
     pub fn toggle_by(
         &self,
         toggle: &SingularPosition,
@@ -110,7 +113,7 @@ impl System {
         along.by_p.iter().zip(&names).map(of).collect()
     }
 
-    /// λ with λᵀ C_q = 0; `None` where there are several, or none.
+    /// Returns λ with λᵀ C_q = 0, or `None` if there is none or several.
     fn combination(&self, q: &[f64], t: f64) -> Result<Option<Combination>> {
         let measures = self.model().measure(q, t);
         let mut c_q: DMatrix<f64> = self.jacobian(q, t)?;
@@ -127,7 +130,7 @@ impl System {
     }
 }
 
-/// λ with λᵀ C_q = 0; times the norms of the rows its length is 1.
+/// λ with λᵀ C_q = 0. Multiplied by the norms of the rows it has the length 1.
 struct Combination {
     lambda: Vec<f64>,
     norms: Vec<f64>,

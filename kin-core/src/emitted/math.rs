@@ -1,5 +1,5 @@
-//! Functions of f64, which emitted code calls by these names: it names nothing of the standard
-//! library itself.
+//! The functions of f64 under the names that emitted code calls; emitted code uses no name of the
+//! standard library.
 
 macro_rules! of_one {
     ($(
@@ -13,7 +13,7 @@ macro_rules! of_one {
             }
         )*
 
-        /// The same as methods, for those that f64 does not have itself.
+        /// The functions of one number as methods, for those that are no method of f64.
         pub trait Functions {$(
             #[doc = concat!("See [`", $written, "()`].")]
             fn $method(self) -> f64;
@@ -40,7 +40,7 @@ macro_rules! of_two {
             }
         )*
 
-        /// The same of two numbers; `%` is an operator.
+        /// The functions of two numbers as methods; `%` is an operator.
         pub trait FunctionsOfTwo {
             $(of_two! { @ declared $method $written })*
         }
@@ -65,13 +65,13 @@ macro_rules! of_two {
 kin_graph::functions_of_one!(of_one);
 kin_graph::functions_of_two!(of_two);
 
-/// xⁿ
+/// Returns xⁿ.
 #[inline(always)]
 pub fn powi(x: f64, n: i32) -> f64 {
     x.powi(n)
 }
 
-/// (sin x, cos x)
+/// Returns (sin x, cos x).
 #[inline(always)]
 pub fn sin_cos(x: f64) -> (f64, f64) {
     x.sin_cos()

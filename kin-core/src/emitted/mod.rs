@@ -1,4 +1,5 @@
-//! Support for emitted code. Not for use by hand: nothing here is part of the public interface.
+//! Support for emitted code. Programs do not use it directly: no item here is part of the public
+//! interface.
 
 mod columns;
 mod editor;
@@ -44,28 +45,29 @@ pub use sound::{If, Sound, Then, callee};
 pub use timed::timed;
 pub use values::*;
 
-/// \[f, f′, f″, f‴\] of a function written for any dual number.
+/// Returns \[f, f′, f″, f‴\] of a function that takes dual numbers of any kind.
 pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<Dual3_64>) -> Real<Dual3_64>) -> [f64; 4] {
     let y = f(Real(Dual3_64::new(x, 1.0, 0.0, 0.0))).0;
     [y.re, y.v1, y.v2, y.v3]
 }
 
-/// A local point of an argument.
+/// Makes a local point of an argument.
 pub fn point(argument: usize, [x, y, z]: [f64; 3]) -> Attachment {
     Attachment { argument, what: Attached::Point(Vec3::new(x, y, z)) }
 }
 
-/// A local direction of an argument.
+/// Makes a local direction of an argument.
 pub fn direction(argument: usize, [x, y, z]: [f64; 3]) -> Attachment {
     Attachment { argument, what: Attached::Direction(Vec3::new(x, y, z)) }
 }
 
-/// The points and directions of a constraint.
+/// Returns the points and directions of a constraint.
 pub fn attachments(all: &[Attachment]) -> Vec<Attachment> {
     all.to_vec()
 }
 
-/// A vector from what a constructor takes for one; what hangs on dimensions is noted.
+/// Converts the argument of a constructor to a vector, and records the components that depend on
+/// dimensions.
 pub fn vector<V: From<[f64; N]>, const N: usize>(
     components: impl Components<N, Scalar: IntoNumber>,
     name: &str,
@@ -74,7 +76,8 @@ pub fn vector<V: From<[f64; N]>, const N: usize>(
     dimension::vector(components, &Name::Own(name), bindings)
 }
 
-/// A parameter from what a constructor takes for one; what hangs on dimensions is noted.
+/// Converts the argument of a constructor to a parameter, and records the numbers that depend on
+/// dimensions.
 pub fn parameter<T>(given: impl IntoParameter<T>, name: &str, bindings: &mut Bindings) -> T {
     given.into_parameter(&Name::Own(name), bindings)
 }
@@ -84,12 +87,12 @@ pub fn axis(given: impl IntoAxis, name: &str, bindings: &mut Bindings) -> Axis {
     given.into_axis(name, bindings)
 }
 
-/// The arguments of a constraint.
+/// Returns the arguments of a constraint.
 pub fn arguments(all: &[Argument]) -> Vec<Argument> {
     all.to_vec()
 }
 
-/// −C_t of a constraint without time.
+/// Writes −C_t of a constraint without time: zeros.
 pub fn no_velocity(rhs: &mut [f64], rows: usize) {
     rhs.iter_mut().take(rows).for_each(|value| *value = 0.0);
 }

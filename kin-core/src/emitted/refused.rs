@@ -1,12 +1,12 @@
-//! Parameters that make no sense, in words.
+//! Messages for parameters that make no sense.
 
 use super::Numbers;
 use crate::model::law::Law;
 use crate::numbers::algebra::Axis;
 
-/// A parameter that can be wrong by itself.
+/// A parameter that can be wrong independently of the others.
 pub trait Refuses {
-    /// The fault of the argument, if it has one.
+    /// Returns the fault of the argument, or `None`.
     fn refusal(&self) -> Option<String>;
 }
 
@@ -25,14 +25,14 @@ impl Refuses for Axis {
     }
 }
 
-/// The first of these parameters that is wrong by itself, and why.
+/// Returns the first of these parameters that is wrong, with the reason.
 pub fn refusal(parameters: &[(&str, &dyn Refuses)]) -> Option<String> {
     parameters
         .iter()
         .find_map(|(name, parameter)| Some(format!("{name}: {}", parameter.refusal()?)))
 }
 
-/// The text of a requirement that does not hold, and the numbers in it.
+/// Returns the text of a requirement that does not hold, with the values of its parameters.
 pub fn refused(text: &str, values: &[(&str, &dyn Numbers)]) -> String {
     let mut shown = Vec::new();
     for (name, value) in values {

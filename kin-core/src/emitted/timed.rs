@@ -1,9 +1,9 @@
-//! Values that a constraint computes from the time alone, for a caller that has not asked for them
-//! once a time.
+//! Values that a constraint computes from the time alone, for a caller that has not computed them
+//! once for the time.
 
 use crate::model::constraint::Constraint;
 
-/// The N numbers of [`Constraint::at_time`].
+/// Returns the N numbers of [`Constraint::at_time`].
 #[cold]
 pub fn timed<const N: usize>(constraint: &dyn Constraint, t: f64) -> [f64; N] {
     let mut numbers = [0.0; N];

@@ -1,4 +1,4 @@
-//! Force and torque on one body over time: about a point, in axes.
+//! Force and torque on one body over time, about a point and in given axes.
 
 use std::marker::PhantomData;
 
@@ -11,23 +11,25 @@ use crate::model::motion::Series;
 use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
 
-/// Force and torque on a body over time, about a point and in axes that can be chosen: first about
-/// the constraint's point on that body (where it has none there, its point on the other body, else
-/// the body's origin; on the ground the global origin), in global axes.
+/// The force and torque on a body over time, about a point and in axes that you choose.
 ///
-/// A component that is not unique, because equations are redundant, is not given as a number:
-/// methods that would give it have an error by name.
+/// The default point is the constraint's point on this body. If the constraint has none there, the
+/// default is its point on the other body, or else the origin of the body; on the ground it is the
+/// global origin. The default axes are global.
+///
+/// If a component is not unique because equations are redundant, the methods that would return it
+/// return an error with its name.
 #[derive(Clone)]
 pub struct BodyWrench<'f, V: HasTorque> {
     pub(super) forces: &'f Forces<'f>,
     pub(super) name: String,
     pub(super) on: String,
     pub(super) wrenches: Vec<Wrench>,
-    /// Those of the vectors of the null space, at each time.
+    /// The wrenches of the vectors of the null space, at each time.
     pub(super) open: Vec<Vec<Wrench>>,
     pub(super) stands: Vec<Stand>,
     pub(super) points: Vec<Vec3>,
-    /// True if components are in the body's axes.
+    /// True if components are in the axes of the body.
     pub(super) fixed: bool,
     pub(super) kind: PhantomData<V>,
 }
@@ -42,7 +44,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         self.moved(points)
     }
 
-    /// The same about a global point that stays where it is.   \[m\]
+    /// Moves the torque to a fixed global point. \[m\]
     #[must_use]
     pub fn about(self, point: impl Into<V>) -> Self {
         let points = vec![point.into().lifted(); self.points.len()];
@@ -51,7 +53,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
 
     fn moved(mut self, points: Vec<Vec3>) -> Self {
         for (k, to) in points.iter().enumerate() {
-            // The way between the points, as the axes have it.
+            // The vector between the points, in the axes of the components.
             let way = self.points[k] - *to;
             let way = if self.fixed { self.stands[k].a.transpose() * way } else { way };
             let all = self.open[k].iter_mut().chain([&mut self.wrenches[k]]);
@@ -61,7 +63,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         self
     }
 
-    /// The same by components in the axes of the body.
+    /// Converts the components to the axes of the body.
     #[must_use]
     pub fn in_body(mut self) -> Self {
         if std::mem::replace(&mut self.fixed, true) {
@@ -74,39 +76,44 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         self
     }
 
-    /// The point that torques are about, global.   \[m\]
+    /// Returns the global point of the torque at each time. \[m\]
     pub fn points(&self) -> Vec<V> {
         self.points.iter().map(|point| V::vector(*point)).collect()
     }
 
-    /// The force, one a time. Errors: a component that is not unique.   \[N\]
+    /// Returns the force at each time. Errors: a component that is not unique. \[N\]
     pub fn force(&self) -> Result<Vec<V>> {
         self.all(0..3)?;
         Ok(self.wrenches.iter().map(|wrench| V::vector(wrench.force)).collect())
     }
 
-    /// The torque about the point, one a time: a number in the plane, a vector in space. Errors: a
-    /// component that is not unique.   \[N m\]
+    /// Returns the torque about the point at each time: a number in the plane, a vector in space.
+    /// \[N m\]
+    ///
+    /// Errors: a component that is not unique.
     pub fn torque(&self) -> Result<Vec<V::Torque>> {
         self.all(3..6)?;
         Ok(self.wrenches.iter().map(|wrench| V::torque(wrench.torque)).collect())
     }
 
-    /// |F| over time. Errors: a component that is not unique.   \[N\]
+    /// Returns |F| over time. Errors: a component that is not unique. \[N\]
     pub fn magnitude(&self) -> Result<Series> {
         self.all(0..3)?;
         Ok(self.series("force", 0, |wrench| wrench.force.norm()))
     }
 
-    /// |T| over time. Errors: a component that is not unique.   \[N m\]
+    /// Returns |T| over time. Errors: a component that is not unique. \[N m\]
     pub fn torque_magnitude(&self) -> Result<Series> {
         self.all(3..6)?;
         Ok(self.series("torque", 3, |wrench| wrench.torque.norm()))
     }
 
-    /// One component over time, by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, `F_y`, `F_z`,
-    /// `T_x`, `T_y`, `T_z` in space. Errors: another name; a component that is not unique.   \[N, N
-    /// m\]
+    /// Returns one component over time, by its name. \[N, N m\]
+    ///
+    /// The names are `F_x`, `F_y`, `T` in the plane and `F_x`, `F_y`, `F_z`, `T_x`, `T_y`, `T_z` in
+    /// space.
+    ///
+    /// Errors: another name, a component that is not unique.
     pub fn component(&self, name: &str) -> Result<Series> {
         let Some((name, number)) = V::COMPONENTS.iter().find(|(known, _)| *known == name) else {
             return Err(Error::UnknownName {
@@ -119,19 +126,19 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         Ok(self.series(name, *number, |wrench| part(wrench, *number)))
     }
 
-    /// The components that are unique at all times, over time.
+    /// Returns the components that are unique at all times.
     pub fn components(&self) -> Vec<Series> {
         V::COMPONENTS.iter().filter_map(|(name, _)| self.component(name).ok()).collect()
     }
 
-    /// Names of the components that are not unique, because equations are redundant: at some time
-    /// something can be added to them that no balance notices.
+    /// Returns the names of the components that are not unique, because equations are redundant. At
+    /// some time another value satisfies every balance too.
     pub fn not_unique(&self) -> Vec<&'static str> {
         let open = |number: usize| self.first_open(number).is_some();
         V::COMPONENTS.iter().filter(|(_, number)| open(*number)).map(|(name, _)| *name).collect()
     }
 
-    /// Errors unless these are unique.
+    /// Returns an error unless these components are unique.
     fn all(&self, numbers: std::ops::Range<usize>) -> Result<()> {
         numbers.into_iter().try_for_each(|number| self.one(number))
     }
@@ -144,14 +151,14 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         Err(NotUnique::error(&self.name, &format!("{name} on {}", self.on), sharing))
     }
 
-    /// The first time at which one of the six components is not unique.
+    /// Returns the first time at which one of the six components is not unique.
     fn first_open(&self, number: usize) -> Option<usize> {
         let is_open =
             |k: &usize| (0..self.open[*k].len()).any(|open| self.is_loose(*k, number, open));
         (0..self.open.len()).find(is_open)
     }
 
-    /// True if a vector of the null space at time k changes one of the six components.
+    /// Returns true if a vector of the null space at time k changes one of the six components.
     fn is_loose(&self, k: usize, number: usize, open: usize) -> bool {
         let scale = if number < 3 { self.forces.multipliers.beside(k).length } else { 1.0 };
         part(&self.open[k][open], number).abs() * scale > LOOSE
@@ -167,7 +174,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
     }
 }
 
-/// One of the six components.
+/// Returns one of the six components.
 fn part(wrench: &Wrench, number: usize) -> f64 {
     wrench.components().get(number).copied().unwrap_or(f64::NAN)
 }

@@ -1,4 +1,4 @@
-//! Generalised forces of loads at one time.
+//! The generalised forces of loads at one time.
 
 mod way;
 
@@ -26,32 +26,32 @@ pub(super) struct Now<'a> {
     pub qdd: &'a [f64],
 }
 
-/// Coordinates of the ground as a spatial body.
+/// The coordinates of the ground as a spatial body.
 const GROUND: [f64; 7] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
 
-/// A constraint that stands beside the equations: an energy, a length, a point with mass.
+/// A constraint that is no equation: an energy, a length, a point with mass.
 pub(super) struct Beside<'a> {
     pub constraint: &'a dyn Constraint,
     pub arguments: Vec<Argument>,
-    /// The global column of each local one; `None` on the ground.
+    /// The global column of each local one; `None` for the ground.
     pub columns: Vec<Option<usize>>,
-    /// Values of the ground's coordinates, 0 elsewhere.
+    /// For each local column the value of the ground's coordinate, 0 for other columns.
     ground: Vec<f64>,
 }
 
-/// Its values at one time.
+/// The values of such a constraint at one time.
 pub(super) struct Valued {
-    /// C, and its pattern's values of C_q.
+    /// C, and the values of C_q by the pattern.
     pub c: Vec<f64>,
     pub c_q: Vec<f64>,
-    /// C_q q̇ + C_t.
+    /// The velocity C_q q̇ + C_t.
     pub rate: Vec<f64>,
-    /// C_q q̈ − Q_d.
+    /// The acceleration C_q q̈ − Q_d.
     pub second: Vec<f64>,
 }
 
 impl<'a> Beside<'a> {
-    /// The points with mass of a system, by their names.
+    /// Returns the points with mass of a system, with their names and masses.
     pub(super) fn points(system: &'a System) -> Vec<(&'a str, Beside<'a>, f64)> {
         let of = |point: &'a dyn Constraint| Beside::new(system.layout(), point);
         let points = system.loads.points.iter();
@@ -75,7 +75,7 @@ impl<'a> Beside<'a> {
         Beside { constraint, arguments, columns, ground }
     }
 
-    /// Its local coordinates or rates.
+    /// Returns the local coordinates or velocities.
     pub(super) fn local(&self, all: &[f64], ground: bool) -> Vec<f64> {
         let value = |(column, fixed): (&Option<usize>, &f64)| match column {
             Some(column) => all[*column],
@@ -111,12 +111,12 @@ impl<'a> Beside<'a> {
         Valued { c, c_q, rate, second }
     }
 
-    /// The bodies and coordinates that it is made of.
+    /// Returns the bodies and coordinates on which it depends.
     pub(super) fn targets(&self) -> Vec<Target> {
         self.arguments.iter().map(|argument| argument.target).collect()
     }
 
-    /// Its arguments, and the points of them.
+    /// Returns its arguments, and their points.
     pub(super) fn own_points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
         let points =
             self.constraint.attachments().into_iter().filter_map(|found| match found.what {
@@ -126,7 +126,7 @@ impl<'a> Beside<'a> {
         (self.arguments.clone(), points.collect())
     }
 
-    /// Q += Σ f_row C_q of the row, local columns.
+    /// Returns Σ f_row C_q of the rows, in local columns.
     pub(super) fn along(&self, valued: &Valued, f: &[f64]) -> Vec<f64> {
         let mut by_q = vec![0.0; self.columns.len()];
         for (entry, value) in self.constraint.facts().pattern.iter().zip(&valued.c_q) {
@@ -136,21 +136,21 @@ impl<'a> Beside<'a> {
     }
 }
 
-/// A part of a load, laid out.
+/// A part of a load, prepared for evaluation.
 pub(super) enum Part<'a> {
     Potential(Beside<'a>),
     Along(Way<'a>, &'a ForceAlong),
     OnBody { on: &'a OnBody, first: usize },
 }
 
-/// A load, laid out.
+/// A load, prepared for evaluation.
 pub(super) struct Laid<'a> {
     pub parts: Vec<Part<'a>>,
 }
 
 impl<'a> Laid<'a> {
-    /// All loads of a system along a motion, by their names. Errors: an angle of a joint that is
-    /// not finite.
+    /// Prepares all loads of a system along a motion, with their names. Errors: an angle of a joint
+    /// that is not finite.
     pub(super) fn all(system: &'a System, motion: &Motion) -> Result<Vec<(&'a str, Laid<'a>)>> {
         let loads = system.loads.loads.iter();
         loads.map(|(name, load)| Ok((name.as_str(), Laid::new(system, motion, load)?))).collect()
@@ -180,7 +180,7 @@ impl<'a> Laid<'a> {
         Ok(Laid { parts })
     }
 
-    /// Adds its generalised forces to those of the mechanism.
+    /// Adds the generalised forces of the load to those of the mechanism.
     pub(super) fn add(&self, now: Now<'_>, all: &mut [f64]) {
         for part in &self.parts {
             match part {
@@ -201,7 +201,7 @@ impl<'a> Laid<'a> {
         }
     }
 
-    /// The bodies and coordinates that it acts on.
+    /// Returns the bodies and coordinates on which the load acts.
     pub(super) fn targets(&self) -> Vec<Target> {
         let of = |part: &Part<'_>| match part {
             Part::Potential(beside) => beside.targets(),
@@ -211,7 +211,7 @@ impl<'a> Laid<'a> {
         self.parts.iter().flat_map(of).collect()
     }
 
-    /// The arguments of its first part and their points.
+    /// Returns the arguments of its first part and their points.
     pub(super) fn points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
         match self.parts.first() {
             Some(Part::Potential(beside)) => beside.own_points(),
@@ -224,7 +224,7 @@ impl<'a> Laid<'a> {
         }
     }
 
-    /// V of its energies.
+    /// Returns V of its energies.
     pub(super) fn energy(&self, now: Now<'_>) -> f64 {
         let of = |part: &Part<'_>| match part {
             Part::Potential(energy) => energy.valued(now).c[0],
@@ -234,7 +234,7 @@ impl<'a> Laid<'a> {
     }
 }
 
-/// Local generalised forces, added to those of the mechanism.
+/// Adds local generalised forces to those of the mechanism.
 pub(super) fn scatter(columns: &[Option<usize>], by_q: &[f64], all: &mut [f64]) {
     for (column, value) in columns.iter().zip(by_q) {
         if let Some(column) = column {
@@ -243,7 +243,7 @@ pub(super) fn scatter(columns: &[Option<usize>], by_q: &[f64], all: &mut [f64]) 
     }
 }
 
-/// Q of a force at a point and a torque.
+/// Returns Q of a force at a point and a torque.
 fn on_body(on: &OnBody, t: f64, q: &[f64]) -> Vec<f64> {
     let at =
         |laws: &[crate::model::law::Law; 3]| Vec3::new(laws[0].at(t), laws[1].at(t), laws[2].at(t));

@@ -10,7 +10,7 @@ use crate::model::motion::Series;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// Kinetic and potential energy over time.
+/// The kinetic and potential energy over time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Energy {
@@ -20,27 +20,27 @@ pub struct Energy {
     pub potential: Series,
 }
 
-/// The balance of powers over time: what constraints and loads put in, weight among them, and what
-/// is left of it beyond dT/dt.
+/// The balance of powers over time: the power of constraints, loads and weight, and the difference
+/// from dT/dt.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Balance {
-    /// λ · C_t of all constraints: the power of the drives.   \[W\]
+    /// λ · C_t of all constraints: the power of the drivers. \[W\]
     pub drives: Series,
     /// The power of loads and of weight.   \[W\]
     pub loads: Series,
-    /// The power of friction in joints, which is lost: at most zero.   \[W\]
+    /// The power of friction in joints. It is dissipated, so it is at most zero. \[W\]
     pub friction: Series,
-    /// dT/dt, by differentiating T along the motion: not by the balance of forces.   \[W\]
+    /// dT/dt, from differentiating T along the motion and not from the balance of forces. \[W\]
     pub kinetic: Series,
-    /// Power of drives, loads and friction less dT/dt.   \[W\]
+    /// The power of drivers, loads and friction minus dT/dt. It is zero except for rounding. \[W\]
     pub left: Series,
-    /// The largest power that any force (of a drive, a load, weight, inertia) has on any coordinate
-    /// at any time: rounding is a share of that.   \[W\]
+    /// The largest power of any force (of a driver, a load, weight, inertia) on any coordinate at
+    /// any time. Rounding errors are a share of it. \[W\]
     pub largest: f64,
 }
 
-/// Powers as they are gathered on the way, one list for each.
+/// The powers at all times, one list for each kind.
 pub(super) struct Powers {
     rate: Vec<f64>,
     drives: Vec<f64>,
@@ -51,20 +51,20 @@ pub(super) struct Powers {
 
 impl Powers {
     pub(super) fn new(times: usize) -> Self {
-        // Numbers come for all times, but for friction, which the program of a mechanism does not
-        // have.
+        // Every time fills its numbers. Friction is appended instead, because a compiled program
+        // has none.
         let [rate, drives, loads, largest] = [(); 4].map(|()| not_numbers(times));
         Powers { rate, drives, loads, friction: vec![0.0; times], largest }
     }
 
-    /// The lists that a program fills: dT/dt, powers of drives, of loads with weight, the largest
-    /// one.
+    /// Returns the lists that a program fills: dT/dt, the powers of drivers, of loads with weight,
+    /// and the largest power.
     pub(super) fn of_tape(&mut self) -> [&mut Vec<f64>; 4] {
         let Powers { rate, drives, loads, largest, .. } = self;
         [rate, drives, loads, largest]
     }
 
-    /// Those of time k.
+    /// Stores the powers of time k.
     pub(super) fn set(&mut self, k: usize, at: &At) {
         self.friction[k] = at.friction;
         let all = [at.rate, at.drives, at.loads + at.weight, at.largest];
@@ -93,7 +93,7 @@ impl Powers {
     }
 }
 
-/// The largest magnitude of a list, some of them at once; what is not a number is none.
+/// Returns the largest magnitude of a list, several numbers at once. NaN does not count.
 fn largest_of(list: &[f64]) -> f64 {
     const SIDE: usize = 8;
     let larger = |most: f64, x: f64| if x.abs() > most { x.abs() } else { most };
@@ -106,7 +106,8 @@ fn largest_of(list: &[f64]) -> f64 {
 }
 
 impl Energy {
-    /// Along a motion of a system: by a tape where one pays, else time by time.
+    /// Computes the energies along a motion: with a compiled program if that is faster, otherwise
+    /// time by time.
     pub(super) fn along(system: &System, motion: &Motion, loads: &[(&str, Laid<'_>)]) -> Energy {
         let tape =
             inverse::pays(motion).then(|| inverse::energies(system, motion, loads)).flatten();
@@ -120,7 +121,7 @@ impl Energy {
                     qd: motion.qd(k),
                     qdd: motion.qdd(k),
                 };
-                // Forces of the same time have been found: there is no error.
+                // The forces at this time are already known, so no error can occur.
                 sum.at(now).map_or([f64::NAN; 2], |at| [at.kinetic, at.potential])
             };
             let (kinetic, potential) = (0..motion.len()).map(at).map(<(f64, f64)>::from).unzip();
@@ -133,8 +134,8 @@ impl Energy {
 }
 
 impl Balance {
-    /// The largest power that is left over, as a share of the largest power; 0 where nothing has
-    /// power.   \[-\]
+    /// Returns the largest difference of the balance as a share of the largest power, or 0 if
+    /// nothing has power. \[-\]
     pub fn worst(&self) -> f64 {
         let left = self.left.max().abs().max(self.left.min().abs());
         if left == 0.0 { 0.0 } else { left / self.largest }
@@ -142,7 +143,7 @@ impl Balance {
 }
 
 impl fmt::Display for Balance {
-    /// "power balance: drives + loads − kinetic energy's rate = 3e-15 of 41 W at most."
+    /// Writes "power balance: drives + loads − kinetic energy's rate = 3e-15 of 41 W at most."
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let rubs = if self.friction.min() < 0.0 { " + friction" } else { "" };
         write!(

@@ -1,16 +1,16 @@
-//! The balance of one body: what moves it, what it weighs, its kinetic energy.
+//! The balance of one body: inertial forces, weight, kinetic energy.
 
 use crate::model::loads::Solid;
 use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{EulerParameters, Scalar, Vec2, Vec3};
 use crate::numbers::real::{Dual64, Real};
 
-/// A number that moves, from its value and its rate.
+/// Makes a dual number from a value and its derivative.
 fn moving(value: f64, rate: f64) -> Real<Dual64> {
     Real(Dual64::new(value, rate))
 }
 
-/// The coordinates of a body at one time, and their rates.
+/// The coordinates of a body at one time, and their derivatives.
 #[derive(Clone, Copy)]
 pub(super) struct Moved<'a, const N: usize> {
     pub q: &'a [f64; N],
@@ -18,19 +18,19 @@ pub(super) struct Moved<'a, const N: usize> {
     pub qdd: &'a [f64; N],
 }
 
-/// Generalised forces, energies and powers of one body.
+/// The generalised forces, energies and powers of one body.
 pub(super) struct Body<const N: usize> {
-    /// M q̈ − Q_v.
+    /// M q̈ − Q_v, by coordinates of the body.
     pub inertial: [f64; N],
-    /// Q of the weight.
+    /// Q of the weight, by coordinates of the body.
     pub weight: [f64; N],
-    /// T, and dT/dt by differentiating T.   \[J, W\]
+    /// T, and dT/dt from differentiating T. \[J, W\]
     pub kinetic: [f64; 2],
-    /// −m g · r_c.   \[J\]
+    /// The potential energy of the weight, −m g · r_c. \[J\]
     pub potential: f64,
 }
 
-/// A planar body: m a_c acts at the centre, J θ̈ about it.
+/// Computes a planar body: m a_c acts at the centre, J θ̈ about it.
 pub(super) fn planar(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 3>) -> Body<3> {
     let Moved { q, qd, qdd } = moved;
     let c = Vec2::new(solid.centre.x, solid.centre.y);
@@ -58,7 +58,8 @@ pub(super) fn planar(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 3>) -> B
     }
 }
 
-/// A spatial body: m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it, in the body's axes.
+/// Computes a spatial body: m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it, in the axes of
+/// the body.
 pub(super) fn spatial(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 7>) -> Body<7> {
     let Moved { q, qd, qdd } = moved;
     let c = solid.centre;
@@ -93,8 +94,8 @@ pub(super) fn spatial(solid: &Solid, gravity: [f64; 3], moved: Moved<'_, 7>) -> 
     }
 }
 
-/// ω̄ = 2 Ḡ ṗ, the angular velocity in the body's axes: twice the vector of p* ṗ. By p̈ it is ω̄̇,
-/// Ḡ̇ ṗ being zero.
+/// Returns ω̄ = 2 Ḡ ṗ, the angular velocity in the axes of the body: twice the vector part of p* ṗ.
+/// For p̈ it returns ω̄̇, because Ḡ̇ ṗ is zero.
 pub(super) fn omega<T: Scalar>(p: EulerParameters<T>, rate: EulerParameters<T>) -> Vec3<T> {
     let e0 = p.e0;
     let e = p.vector();
@@ -109,14 +110,15 @@ pub(super) fn omega<T: Scalar>(p: EulerParameters<T>, rate: EulerParameters<T>) 
     Vec3 { x: part(e.x, f.x, cross.x), y: part(e.y, f.y, cross.y), z: part(e.z, f.z, cross.z) }
 }
 
-/// Q of a global force at the origin of a spatial body and a torque in its axes: (F, 2 Ḡᵀ T̄).
+/// Returns Q of a global force at the origin of a spatial body and a torque in its axes: (F, 2 Ḡᵀ
+/// T̄).
 pub(super) fn generalised(p: EulerParameters, f: Vec3, torque: Vec3) -> [f64; 7] {
     // ½ ∂ω̄/∂ṗ T̄ = p (0, T̄), twice.
     let turned = p.product(EulerParameters::new(0.0, torque.x, torque.y, torque.z));
     [f.x, f.y, f.z, 2.0 * turned.e0, 2.0 * turned.e1, 2.0 * turned.e2, 2.0 * turned.e3]
 }
 
-/// T̄ of generalised forces along p: ½ Ḡ Q_p, without the part along p.
+/// Returns T̄ of generalised forces along p: ½ Ḡ Q_p, without the part along p.
 pub(super) fn torque(p: EulerParameters, by_p: EulerParameters) -> Vec3 {
     p.conjugate().product(by_p).vector() * (0.5 / p.norm_squared())
 }

@@ -1,4 +1,4 @@
-//! The forces of a motion, and what can be asked of them by name.
+//! The forces of a motion, and their quantities by name.
 
 use std::sync::{Arc, OnceLock};
 
@@ -18,15 +18,15 @@ use crate::solve::motion::{EngineCounts, Motion};
 use crate::solve::newton::Engine;
 use crate::system::System;
 
-/// The forces of a motion: of each constraint the force and torque that it puts on its bodies, of
-/// each driver what it must give, of each load what it does; energies, and the balance of powers.
+/// The forces of a motion: reactions of constraints, efforts of drivers, forces of loads, energies,
+/// and the balance of powers.
 pub struct Forces<'a> {
     pub(super) system: &'a System,
     pub(super) motion: &'a Motion,
     pub(super) multipliers: AllMultipliers,
     pub(super) loads: Vec<(&'a str, Laid<'a>)>,
     pub(super) frictions: Frictions,
-    /// Computed when somebody asks for it.
+    /// Computed at the first use.
     energy: OnceLock<Energy>,
     balance: Balance,
     engine: EngineCounts,
@@ -34,24 +34,26 @@ pub struct Forces<'a> {
 }
 
 impl System {
-    /// Names of its loads, in the order of adding.
+    /// Returns the names of the loads, in the order of adding.
     pub fn load_names(&self) -> Vec<&str> {
         self.loads.loads.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// True where something has mass or something acts, so that it can be asked for forces.
+    /// Returns true if something has mass or acts, so that [`System::forces`] has a result.
     pub fn has_forces(&self) -> bool {
         !self.loads.is_empty()
     }
 
-    /// The forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, one transposed solve a
-    /// time. Masses are given by [`crate::Mechanism::mass`], weight by
-    /// [`crate::Mechanism::gravity`], other loads by [`crate::Mechanism::load`]. Those of many
-    /// times are computed by a program where there can be one ([`Forces::engine`]).
+    /// Computes the forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, with one
+    /// transposed solve for each time.
     ///
-    /// Errors: a mechanism in which nothing has mass and nothing acts; a motion of another system;
-    /// a singular position, where forces have no bound; a load that is not finite; a mechanism that
-    /// is jammed by friction ([`crate::error::Jammed`]), friction on a force that is not unique.
+    /// [`crate::Mechanism::mass`] sets masses, [`crate::Mechanism::gravity`] weight and
+    /// [`crate::Mechanism::load`] other loads. For many times Kin uses a compiled program if
+    /// possible ([`Forces::engine`]).
+    ///
+    /// Errors: a mechanism without masses and loads; a motion of another system; a singular
+    /// position, where forces have no bound; a load that is not finite; a mechanism that friction
+    /// jams ([`crate::error::Jammed`]); friction that depends on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
         self.solver().forces(motion)
     }
@@ -77,8 +79,8 @@ impl<'a> Solver<'a> {
     /// # m.add("motor", drive_angle(arm, Law::ramp(2.0)))?;
     /// # let system = m.build()?;
     /// let motion = system.run(linspace(0.0, 1.0, 101))?;
-    /// let solver = system.solver().options(SolverOptions::new().engine(Engine::StepByStep));
-    /// assert_eq!(solver.forces(&motion)?.engine().compiled, 0);
+    /// let forces = system.solver().options(SolverOptions::new().engine(Engine::StepByStep)).forces(&motion)?;
+    /// assert_eq!(forces.engine().compiled, 0);
     /// # Ok(())
     /// # }
     /// ```
@@ -110,7 +112,7 @@ const NOTHING_ACTS: &str = "nothing has mass and nothing acts: give its bodies m
 const SAME: f64 = 1e-8;
 const OTHERS: &str = "its program has other forces at the first time than its equations";
 
-/// The forces of a motion on their way.
+/// The forces of a motion during their computation.
 struct Walk<'a> {
     system: &'a System,
     motion: &'a Motion,
@@ -135,7 +137,8 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// By a program where that is asked for or pays, and time by time where it does not have them.
+    /// Computes the forces with a program if it is requested or faster, and the remaining times one
+    /// by one.
     fn by(mut self, engine: Engine) -> Result<Forces<'a>> {
         let system = self.system;
         let motion = self.motion;
@@ -175,9 +178,8 @@ impl<'a> Walk<'a> {
         })
     }
 
-    /// By a program; gives the times that are left to the walk, and the first one, which is there
-    /// already: of it the program has to have the same λ. Gives the reason where there is no
-    /// program.
+    /// Runs a program. Returns the times that remain and the first time, which is known already and
+    /// must have the same λ in the program. Returns the reason if there is no program.
     fn compiled(&mut self) -> Result<std::result::Result<Vec<usize>, String>> {
         let found = (self.multipliers.all(), &mut self.powers);
         let left = match inverse::fill(self.system, self.motion, &self.loads, found) {
@@ -195,7 +197,7 @@ impl<'a> Walk<'a> {
         Ok(Ok([0].into_iter().chain(left.into_iter().filter(|k| *k != 0)).collect()))
     }
 
-    /// Some times, one after the other.
+    /// Computes some times, one after the other.
     fn walk(&mut self, times: &[usize]) -> Result<()> {
         let system = self.system;
         let motion = self.motion;
@@ -222,7 +224,7 @@ impl<'a> Walk<'a> {
     }
 }
 
-/// An error that names the first equation whose λ is no finite number.
+/// Returns an error with the name of the first equation whose λ is not finite.
 fn are_finite(system: &System, lambda: &[f64], t: f64) -> Result<()> {
     match lambda.iter().position(|x| !x.is_finite()) {
         Some(bad) => Err(not_finite(system, &system.equations().equation(bad), t, lambda[bad])),
@@ -231,39 +233,41 @@ fn are_finite(system: &System, lambda: &[f64], t: f64) -> Result<()> {
 }
 
 impl<'a> Forces<'a> {
-    /// The motion that they belong to.
+    /// Returns the motion to which the forces belong.
     pub fn motion(&self) -> &'a Motion {
         self.motion
     }
 
-    /// How many times a program has computed ([`Engine::Compiled`]), and how many of a program's
-    /// times were handed back, because a pivot was small there or something was not finite.
+    /// Returns how many times a program has computed ([`Engine::Compiled`]), and how many times it
+    /// has returned to the step-by-step solver. It returns a time if a pivot is small or a number
+    /// is not finite.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
 
-    /// Why all times were computed one by one, where a program would have paid: what stands in the
-    /// way, by name. `None` where a program was used or not looked for.
+    /// Returns the reason why all times were computed one by one although a program would have been
+    /// faster. The reason contains the name. Returns `None` if a program was used, or if none was
+    /// tried.
     pub fn why_not_compiled(&self) -> Option<&str> {
         self.plain.as_deref()
     }
 
-    /// The name of the mechanism.
+    /// Returns the name of the mechanism.
     pub(crate) fn mechanism_name(&self) -> &str {
         self.system.name()
     }
 
-    /// Force and torque of a constraint on its bodies; of a driver too.
+    /// Returns the force and torque of a constraint on its bodies. Drivers are constraints too.
     ///
     /// Errors: a name that no constraint has.
     pub fn reaction(&self, constraint: &str) -> Result<Reaction<'_>> {
         Ok(Reaction::new(self, constraint, vec![Source::Constraint(self.block(constraint)?)]))
     }
 
-    /// Force and torque of several constraints together, about a body's origin: of redundant ones
-    /// the sum can be unique where none of them is.
+    /// Returns the force and torque of several constraints together, about the origin of a body.
+    /// The sum over redundant constraints can be unique although none of them is.
     ///
-    /// Errors: a name that no constraint has; no name at all.
+    /// Errors: a name that no constraint has, an empty list.
     pub fn sum(
         &self,
         constraints: impl IntoIterator<Item = impl AsRef<str>>,
@@ -278,9 +282,11 @@ impl<'a> Forces<'a> {
         Ok(Reaction::new(self, &names.join(" + "), sources?))
     }
 
-    /// Force and torque of all constraints, drivers among them, on the ground: asked on a planar or
-    /// spatial body that is the ground, the shaking force, and the shaking moment about the origin.
-    /// Friction in joints is in it, loads between a body and the ground are not.
+    /// Returns the force and torque of all constraints, including drivers, on the ground: the
+    /// shaking force and the shaking moment about the origin.
+    ///
+    /// Use [`Reaction::on`] with a planar or spatial body that is the ground. The result includes
+    /// friction in joints, but not loads between a body and the ground.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -305,8 +311,10 @@ impl<'a> Forces<'a> {
         Reaction::new(self, "all constraints", all.chain(friction).collect())
     }
 
-    /// Force and torque of the friction in a joint on its bodies, about the joint's point; its
-    /// power is what is lost as heat, negative. [`Forces::reaction`] of the joint is without it:
+    /// Returns the force and torque of the friction in a joint on its bodies, about the joint's
+    /// point.
+    ///
+    /// Its power is the heat, as a negative number. [`Forces::reaction`] of the joint contains only
     /// the normal forces.
     ///
     /// Errors: a name that no joint with friction has.
@@ -320,7 +328,7 @@ impl<'a> Forces<'a> {
         Ok(Reaction::new(self, &format!("{joint}.friction"), vec![Source::Friction(number)]))
     }
 
-    /// Force and torque of a load on its bodies.
+    /// Returns the force and torque of a load on its bodies.
     ///
     /// Errors: a name that no load has.
     pub fn load(&self, name: &str) -> Result<Reaction<'_>> {
@@ -333,41 +341,40 @@ impl<'a> Forces<'a> {
         Ok(Reaction::new(self, name, vec![Source::Load(number)]))
     }
 
-    /// The force or torque that a driving constraint must give, and its power.
+    /// Returns the efforts of a driver and its power.
     ///
-    /// Errors: a name that no constraint has, a constraint that drives nothing; an effort that is
-    /// not unique.
+    /// Errors: a name that no constraint has, a constraint that is no driver, an effort that is not
+    /// unique.
     pub fn drive(&self, name: &str) -> Result<Drive> {
         effort::drive(self, self.block(name)?)
     }
 
-    /// Names of all constraints, drivers among them, in the order of adding; of each spatial body
-    /// the row by which its Euler parameters stay normalised, which holds nothing, is not one of
-    /// them.
+    /// Returns the names of all constraints, including drivers, in the order of adding. The norm
+    /// constraints of Euler parameters carry no force, so the list omits them.
     pub fn constraints(&self) -> Vec<&str> {
         let blocks = self.system.equations().blocks.iter();
         let told = blocks.filter(|block| block.constraint.facts().kind != "euler_norm");
         told.map(|block| block.name.as_str()).collect()
     }
 
-    /// Names of the loads.
+    /// Returns the names of the loads.
     pub fn loads(&self) -> Vec<&str> {
         self.loads.iter().map(|(name, _)| *name).collect()
     }
 
-    /// Names of the constraints that drive.
+    /// Returns the names of the drivers.
     pub fn drives(&self) -> Vec<&str> {
         let blocks = self.system.equations().blocks.iter();
         blocks.filter(|block| block.drives).map(|block| block.name.as_str()).collect()
     }
 
-    /// Kinetic and potential energy.
+    /// Returns the kinetic and potential energy.
     pub fn energy(&self) -> &Energy {
         self.energy.get_or_init(|| Energy::along(self.system, self.motion, &self.loads))
     }
 
-    /// The balance of powers, which is always made: drives and loads against the rate of the
-    /// kinetic energy, differentiated from T.
+    /// Returns the balance of powers: drivers and loads against dT/dt, which Kin computes by
+    /// differentiating T.
     pub fn balance(&self) -> &Balance {
         &self.balance
     }
@@ -381,13 +388,13 @@ impl<'a> Forces<'a> {
         })
     }
 
-    /// The constraints that share what is not unique at time k, by the vectors of the null space in
-    /// it.
+    /// Returns the constraints that share what is not unique at time k, from the vectors of the
+    /// null space that change it.
     pub(super) fn sharing(&self, k: usize, is_in_it: impl Fn(usize) -> bool) -> Vec<String> {
         self.multipliers.beside(k).sharing(self.system, is_in_it)
     }
 
-    /// The values of C_q of one constraint at time k.
+    /// Returns the values of C_q of one constraint at time k.
     pub(super) fn jacobian(&self, block: usize, k: usize) -> Vec<f64> {
         let equations = self.system.equations();
         let motion = self.motion;

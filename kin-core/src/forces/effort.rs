@@ -1,4 +1,4 @@
-//! The force or torque of a driving constraint, and its power.
+//! The force or torque of a driver, and its power.
 
 mod advantage;
 mod by_law;
@@ -16,26 +16,27 @@ use crate::system::System;
 use crate::system::evaluate::Block;
 use by_law::{Led, Share};
 
-/// Efforts and power of a driving constraint: for each of its laws f the generalised force λ ·
-/// ∂C/∂f that belongs to it, so that effort · ḟ is the power that the law puts into the mechanism.
-/// Of a driver whose rows are x(q) − f(t) = 0 that is −λ, row by row.
+/// The efforts and the power of a driver.
 ///
-/// Of a driver whose laws do not stand in its formula by their values, because it takes the dual
-/// route, or asks a law for its slope or at several times, there is −λ for each row, and the power
-/// alone says what it gives.
+/// The effort of a law f is the generalised force λ · ∂C/∂f. So effort · ḟ is the power that the
+/// law puts into the mechanism. For a driver with rows x(q) − f(t) = 0 it is −λ, row by row.
+///
+/// For some drivers Kin does not know ∂C/∂f: those on the dual route, and those that read the slope
+/// of a law or a law at several times. Then the efforts are −λ for each row, and only the power has
+/// a clear meaning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive {
     efforts: Vec<Series>,
     power: Series,
 }
 
-/// The largest magnitude of a number over time, and when.
+/// The largest magnitude of a quantity over time, and its time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Peak {
     /// The value, with its sign.
     pub value: f64,
-    /// When.   \[s\]
+    /// The time. \[s\]
     pub t: f64,
     /// The unit of the value.
     pub unit: String,
@@ -43,7 +44,7 @@ pub struct Peak {
 }
 
 impl Peak {
-    /// Of a series; NaN of an empty one.
+    /// Returns the peak of a series, or NaN for an empty one.
     fn of(series: &Series) -> Peak {
         let first = series.best(|a, b| a.abs() > b.abs());
         let [value, t] =
@@ -53,7 +54,7 @@ impl Peak {
 }
 
 impl fmt::Display for Peak {
-    /// "4.31 N m at 0.212 s"
+    /// Writes "4.31 N m at 0.212 s".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = |x: f64| format!("{x:.4e}").parse::<f64>().unwrap_or(x);
         write!(
@@ -68,34 +69,38 @@ impl fmt::Display for Peak {
 }
 
 impl Series {
-    /// The largest magnitude, the first one of several; NaN of an empty series.
+    /// Returns the largest magnitude with its first time, or NaN for an empty series.
     pub fn peak(&self) -> Peak {
         Peak::of(self)
     }
 }
 
 impl Drive {
-    /// The generalised force that belongs to its law: a torque where the law is an angle, a force
-    /// where it is a length. Power put into the mechanism = effort · ḟ; positive the way the law
-    /// grows. Of a driver with several laws that of the first; [`Drive::efforts`] has all.   \[N m,
-    /// N\]
+    /// Returns the generalised force of the driver's law: a torque if the law is an angle, a force
+    /// if it is a length. \[N m, N\]
+    ///
+    /// The power put into the mechanism is effort · ḟ. The effort is positive in the direction in
+    /// which the law grows. For a driver with several laws it is the effort of the first;
+    /// [`Drive::efforts`] returns all.
     pub fn effort(&self) -> &Series {
         &self.efforts[0]
     }
 
-    /// One for each law: `motor`, `hand.x` of a driver with a row for each, `tip.x_i` by the names
-    /// of laws of another one. Where formulas do not tell whether a law is a length or an angle,
-    /// the unit is that of energy, a unit of the law.
+    /// Returns the effort of each law.
+    ///
+    /// The names are `motor` for one law, `hand.x` for a driver with a row for each law, and
+    /// `tip.x_i` by the name of a law otherwise. If the formulas do not show whether a law is a
+    /// length or an angle, the unit is that of energy per unit of the law.
     pub fn efforts(&self) -> &[Series] {
         &self.efforts
     }
 
-    /// λ · C_t, the power that it puts into the mechanism.   \[W\]
+    /// Returns λ · C_t, the power that the driver puts into the mechanism. \[W\]
     pub fn power(&self) -> &Series {
         &self.power
     }
 
-    /// The largest effort of all laws, and when.
+    /// Returns the largest effort of all laws, and its time.
     pub fn peak(&self) -> Peak {
         let peaks = self.efforts.iter().map(Series::peak);
         peaks
@@ -104,7 +109,7 @@ impl Drive {
     }
 }
 
-/// Of one constraint that drives.
+/// Computes the efforts of one driver.
 pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     let system = forces.system;
     let motion = forces.motion;
@@ -151,8 +156,8 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     Ok(Drive { efforts, power })
 }
 
-/// The unit of a row as its documentation says (`[m]`, `[rad, m]`), or of the coordinate that it
-/// drives.
+/// Returns the unit of a row from its documentation (`[m]`, `[rad, m]`), or from the coordinate
+/// that it drives.
 fn unit_of_row(system: &System, block: &Block, k: usize) -> Option<String> {
     if let [only] = block.constraint.arguments().as_slice()
         && let Target::Coord(..) = only.target

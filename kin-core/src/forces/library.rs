@@ -1,7 +1,9 @@
-//! The library of loads: springs, dampers, struts, written with the compiler as joints are.
+//! The library of loads: springs, dampers and struts, written as compiled functions like the
+//! joints.
 //!
-//! Those of planar bodies and coordinates are here, those of spatial bodies in [`spatial`]. A load
-//! acts on both of its bodies, and on the ground where one of them is the ground.
+//! This module contains the loads of planar bodies and coordinates. Those of spatial bodies are in
+//! [`spatial`]. A load acts on both of its bodies. If one body is the ground, the load also acts on
+//! the ground.
 
 use crate::model::coordinates::{IntoCoordinate, IntoPlanarBody};
 use crate::model::law::Law;
@@ -11,37 +13,40 @@ use kin_macros::{constraint, force, potential};
 
 pub mod spatial;
 
-/// The distance of two points, |r_Pi − r_Pj|: a length to act along.      \[m\]
+/// Returns the distance of two points, |r_Pi − r_Pj|, as a length to act along. \[m\]
 ///
-/// `u_i`, `u_j`: the points. Where they meet it has no slope.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. Where the
+/// points meet, the distance has no derivative.
 ///
-/// Signs: none; a force along it pushes the points apart.
+/// Signs: none. A positive force along the distance pushes the points apart.
 #[constraint]
 pub fn length(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm()
 }
 
-/// The turn of body i in body j, θ_i − θ_j: an angle to act along.      \[rad\]
+/// Returns the angle of body i relative to body j, θ_i − θ_j, as an angle to act along. \[rad\]
 ///
-/// Signs: a torque along it turns i counter-clockwise, and j the other way.
+/// Signs: a positive torque along the angle turns i counter-clockwise and j clockwise.
 #[constraint]
 pub fn turn(i: Planar, j: Planar) -> f64 {
     i.theta - j.theta
 }
 
-/// How far P_i is along a direction of body j: h_j · (Aⱼᵀ(r_Pi − r_j) − ū_j)/|h_j|, a length to act
-/// along. \[m\]
+/// Returns the displacement of P_i along a direction of body j, h_j · (Aⱼᵀ(r_Pi − r_j) −
+/// ū_j)/|h_j|, as a length to act along. \[m\]
 ///
-/// `u_i`, `u_j`: the points; `h_j`: the direction in body j, such as the axis of a cylinder.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `h_j` is the
+/// direction in body j, such as the axis of a cylinder.
 ///
-/// Signs: a force along it pushes P_i along h_j, and j the other way.
+/// Signs: a positive force along the displacement pushes P_i along h_j and body j in the opposite
+/// direction.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the direction needs a length above zero")]
 pub fn slide(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f64 {
     h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm()
 }
 
-/// The coordinate itself, to act along.      \[unit of q\]
+/// Returns the coordinate q itself as a length or angle to act along. \[unit of q\]
 ///
 /// Signs: those of the coordinate.
 #[constraint]
@@ -49,45 +54,48 @@ pub fn along(q: Coord) -> f64 {
     q
 }
 
-/// A spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)².      \[J\]
+/// Acts as a spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)². \[J\]
 ///
-/// `u_i`, `u_j`: the points; `stiffness`: k, `free`: l0, its length without force. Shabana,
-/// *Computational Dynamics*, section 5.2.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `stiffness` is
+/// k \[N/m\]. `free` is l0, the length without force \[m\]. Shabana, *Computational Dynamics*,
+/// section 5.2.
 ///
-/// Signs: longer than l0 it pulls the points together.
+/// Signs: a spring longer than l0 pulls the points together.
 #[potential]
 pub fn spring(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, stiffness: f64, free: f64) -> f64 {
     let stretch = (i.point(u_i) - j.point(u_j)).norm() - free;
     0.5 * stiffness * stretch * stretch
 }
 
-/// A torsion spring between two bodies: V = ½ k (θ_i − θ_j − θ0)².      \[J\]
+/// Acts as a torsion spring between two bodies: V = ½ k (θ_i − θ_j − θ0)². \[J\]
 ///
-/// `stiffness`: k, `free`: θ0, the turn of i in j without torque.
+/// `stiffness` is k \[N m/rad\]. `free` is θ0, the angle of i relative to j without torque \[rad\].
 ///
-/// Signs: turned beyond θ0, body i is turned back.
+/// Signs: beyond θ0 the spring turns body i back.
 #[potential]
 pub fn torsion_spring(i: Planar, j: Planar, stiffness: f64, free: f64) -> f64 {
     let turn = i.theta - j.theta - free;
     0.5 * stiffness * turn * turn
 }
 
-/// A spring along a coordinate: V = ½ k (q − q0)².      \[J\]
+/// Acts as a spring along a coordinate: V = ½ k (q − q0)². \[J\]
 ///
-/// `stiffness`: k, `free`: q0.
+/// `stiffness` is k \[N/m or N m/rad\]. `free` is q0, the coordinate without force \[unit of q\].
 ///
-/// Signs: beyond q0 it pulls back.
+/// Signs: beyond q0 the spring pulls the coordinate back.
 #[potential]
 pub fn coordinate_spring(q: Coord, stiffness: f64, free: f64) -> f64 {
     0.5 * stiffness * (q - free) * (q - free)
 }
 
-/// An elastic bushing: V = ½ (k_x d_x² + k_y d_y² + k_θ φ²), d the way from P_j to P_i as body j
-/// sees it, φ = θ_i − θ_j − θ0.   \[J\]
+/// Acts as an elastic bushing: V = ½ (k_x d_x² + k_y d_y² + k_θ φ²) with φ = θ_i − θ_j − θ0, where
+/// d is the vector from P_j to P_i in the frame of j. \[J\]
 ///
-/// `u_i`, `u_j`: the points; `stiffness`: (k_x, k_y), `torsion`: k_θ, `free`: θ0.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `stiffness` is
+/// (k_x, k_y) \[N/m\]. `torsion` is k_θ \[N m/rad\]. `free` is θ0, the angle without torque
+/// \[rad\].
 ///
-/// Signs: it pulls P_i back to P_j and turns i back.
+/// Signs: the bushing pulls P_i back to P_j and turns i back to θ0.
 #[potential]
 pub fn bushing(
     i: Planar,
@@ -103,72 +111,76 @@ pub fn bushing(
     0.5 * (stiffness.x * d.x * d.x + stiffness.y * d.y * d.y + torsion * turn * turn)
 }
 
-/// A spring and a damper along x: f = −k (x − x0) − c ẋ.      \[N, N m\]
+/// Acts as a spring and a damper along x: f = −k (x − x0) − c ẋ. \[N, N m\]
 ///
-/// `x`: any length or angle; `stiffness`: k, `free`: x0, `damping`: c.
+/// `x` is any length or angle. `stiffness` is k \[N/m or N m/rad\]. `free` is x0, the length or
+/// angle without force. `damping` is c \[N s/m or N m s\].
 ///
-/// Signs: beyond x0 it pulls back.
+/// Signs: beyond x0 the spring pulls x back.
 #[force]
 pub fn spring_damper(x: Coord, rate: Rate, stiffness: f64, free: f64, damping: f64) -> f64 {
     -stiffness * (x - free) - damping * rate
 }
 
-/// A damper along x: f = −c ẋ.      \[N, N m\]
+/// Acts as a damper along x: f = −c ẋ. \[N, N m\]
 ///
-/// `x`: any length or angle; `damping`: c.
+/// `x` is any length or angle. `damping` is c \[N s/m or N m s\].
 ///
-/// Signs: against ẋ.
+/// Signs: the force acts against ẋ.
 #[force]
 pub fn viscous(_x: Coord, rate: Rate, damping: f64) -> f64 {
     -damping * rate
 }
 
-/// A force by x, such as a measured characteristic: f = F(x).      \[N, N m\]
+/// Applies a force that depends on x, such as a measured characteristic: f = F(x). \[N, N m\]
 ///
-/// `x`: any length or angle; `law`: F, a law of x.
+/// `x` is any length or angle. `law` is F, a law of x.
 ///
-/// Signs: positive pushes the way x grows.
+/// Signs: a positive force makes x grow.
 #[force]
 pub fn force_by(x: Coord, law: Law) -> f64 {
     law.at(x)
 }
 
-/// A force by time along x: f = F(t).      \[N, N m\]
+/// Applies a force along x that depends on time: f = F(t). \[N, N m\]
 ///
-/// `x`: any length or angle; `law`: F, a law of t.
+/// `x` is any length or angle. `law` is F, a law of t.
 ///
-/// Signs: positive pushes the way x grows.
+/// Signs: a positive force makes x grow.
 #[force]
 pub fn force_in_time(_x: Coord, t: Time, law: Law) -> f64 {
     law.at(t)
 }
 
-/// Pressure in a cylinder along the length of its chamber: f = p(x) A.      \[N\]
+/// Applies the pressure in a cylinder along the length of its chamber: f = p(x) A. \[N\]
 ///
-/// `x`: the length of the chamber; `table`: p by that length, such as `Law::spline` of an indicator
-/// diagram \[Pa\]; `area`: A of the piston \[m²\].
+/// `x` is the length of the chamber \[m\]. `table` is p as a law of that length, such as
+/// `Law::spline` of an indicator diagram \[Pa\]. `area` is the area A of the piston \[m²\].
 ///
-/// Signs: pressure above that outside makes the chamber longer.
+/// Signs: a pressure above the pressure outside makes the chamber longer.
 #[force]
 #[require(area > 0.0, "the area of a piston is above zero")]
 pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
     table.at(x) * area
 }
 
-/// The gas in a closed chamber along a length x: f = F (a/(a + x − x0))ⁿ.      \[N\]
+/// Acts as the gas in a closed chamber along a length x: f = F (a/(a + x − x0))ⁿ. \[N\]
 ///
-/// `push`: F, its force at x0 = `there`; `column`: a, the length of the column of gas there;
-/// `exponent`: n of the gas, 1 slow, 1.4 fast.
+/// `push` is F, the force at x0 \[N\]. `there` is x0 \[m\]. `column` is a, the length of the column
+/// of gas at x0 \[m\]. `exponent` is n of the gas: 1 for slow, 1.4 for fast changes.
 ///
-/// Signs: F above zero makes x longer.
+/// Signs: a positive F makes x longer.
 #[force]
 #[require(column > 0.0, "the column of gas has a length above zero")]
 pub fn gas(x: Coord, push: f64, there: f64, column: f64, exponent: f64) -> f64 {
     push * (column / (column + x - there)).powf(exponent)
 }
 
-/// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart
-/// positive.   \[N s/m\]
+/// Acts as a damper between two points: f = −c d|r_Pi − r_Pj|/dt along the line, where a positive
+/// force pushes the points apart. \[N\]
+///
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `damping` is c
+/// \[N s/m\].
 pub fn damper(
     i: impl IntoPlanarBody,
     j: impl IntoPlanarBody,
@@ -179,15 +191,19 @@ pub fn damper(
     viscous(length(i, j, u_i.into(), u_j.into()), damping)
 }
 
-/// A damper between two bodies that turn: the torque −c (θ̇_i − θ̇_j) on body i.   \[N m s\]
+/// Acts as a damper between two bodies that rotate: the torque on body i is −c (θ̇_i − θ̇_j). \[N
+/// m\]
+///
+/// `damping` is c \[N m s\].
 pub fn torsion_damper(i: impl IntoPlanarBody, j: impl IntoPlanarBody, damping: f64) -> Load {
     viscous(turn(i, j), damping)
 }
 
-/// A bushing with damping: the energy of [`bushing`](fn@bushing), and −c_x ḋ_x, −c_y ḋ_y, −c_θ φ̇
-/// along the same way and turn.   \[N, N m\]
+/// Acts as a bushing with damping: the energy of [`bushing`](fn@bushing) and the forces −c_x ḋ_x,
+/// −c_y ḋ_y, −c_θ φ̇. \[N, N m\]
 ///
-/// `u`: P_i and P_j; `stiffness`, `damping`: along x and y of body j and about z; `free`: θ0.
+/// `u` contains the local positions of P_i and P_j \[m\]. `stiffness` and `damping` contain the
+/// values along x and y of body j, and about z. `free` is θ0, the angle without torque \[rad\].
 pub fn damped_bushing(
     i: impl IntoPlanarBody,
     j: impl IntoPlanarBody,
@@ -207,13 +223,17 @@ pub fn damped_bushing(
         .and(bushing(i, j, u_i, u_j, Vec2::new(k_x, k_y), k_turn, free))
 }
 
-/// A force or torque along a coordinate, by a law of time.   \[N, N m\]
+/// Applies a force or torque along a coordinate by a law of time. \[N, N m\]
+///
+/// `q` is the coordinate and `force` the law. A positive force makes q grow.
 pub fn force_along(q: impl IntoCoordinate, force: Law) -> Load {
     force_in_time(along(q), force)
 }
 
-/// A strut or cylinder between two points whose force is a law of its length, such as a table of
-/// pressures times the area of its piston: positive pushes the points apart.   \[N\]
+/// Acts as a strut or cylinder between two points, with a force that is a law of its length. \[N\]
+///
+/// A positive force pushes the points apart. The law can be a table of pressures times the area of
+/// the piston. `u_i` and `u_j` are the local positions of the points in body i and body j \[m\].
 ///
 /// ```
 /// use kin::law::Ends;
@@ -240,9 +260,10 @@ pub fn strut(
     force_by(length(i, j, u_i.into(), u_j.into()), force)
 }
 
-/// A gas spring between two points: it pushes them apart with F (a/(a − (l0 − l)))ⁿ, F being its
-/// force at the length l0, a the length of its column of gas there, n the exponent of the gas (1
-/// slow, 1.4 fast).   \[N, m\]
+/// Acts as a gas spring between two points: it pushes them apart with F (a/(a − (l0 − l)))ⁿ. \[N\]
+///
+/// l is the distance of the points and F the force at the length l0. a is the length of the column
+/// of gas at l0 \[m\], and n the exponent of the gas: 1 for slow, 1.4 for fast changes.
 pub fn gas_spring(
     i: impl IntoPlanarBody,
     j: impl IntoPlanarBody,

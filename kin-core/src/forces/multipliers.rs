@@ -1,4 +1,4 @@
-//! The multipliers λ of all constraints: of one time, of all times, and the solve of one time.
+//! The multipliers λ of all constraints: at one time, at all times, and the solve at one time.
 
 use super::acting::Now;
 use super::friction::Rub;
@@ -9,29 +9,29 @@ use crate::system::System;
 use crate::system::evaluate::Instant;
 use crate::system::scaled::{Measures, Point};
 
-/// A component is unique if what can be added without changing any balance changes it by less than
-/// this, where it changes something by 1.   \[-\]
+/// A component is unique if a vector of the null space, which changes no balance, changes it by
+/// less than this where it changes something by 1. \[-\]
 pub(super) const LOOSE: f64 = 1e-7;
 
-/// λ at one time, and what belongs to it.
+/// λ at one time, with the data that belong to it.
 pub(super) struct Multipliers {
-    /// One number for each equation.
+    /// λ, one number for each equation.
     pub lambda: Vec<f64>,
     pub beside: BesideThem,
 }
 
-/// The part of multipliers that only redundant mechanisms and those with friction have.
+/// Data of the multipliers that only redundant mechanisms and those with friction have.
 #[derive(Default)]
 pub(super) struct BesideThem {
-    /// Vectors of the null space of C_qᵀ, none of a mechanism without redundant equations: the
-    /// largest generalised force times the size of its coordinate that one of their entries makes
+    /// Vectors of the null space of C_qᵀ; empty for a mechanism without redundant equations. They
+    /// are scaled: the largest generalised force times the size of its coordinate, for any entry,
     /// is 1.
     pub open: Vec<Vec<f64>>,
-    /// By which factor entries of a row are in units of order 1, where there are such vectors.
+    /// The factors that scale the entries of each row to order 1, if there are such vectors.
     norms: Vec<f64>,
-    /// The characteristic length, where there are such vectors.   \[m\]
+    /// The characteristic length, if there are such vectors. \[m\]
     pub length: f64,
-    /// Friction in each joint that has it.
+    /// The friction in each joint that has it.
     pub rubs: Vec<Rub>,
 }
 
@@ -39,8 +39,8 @@ impl BesideThem {
     const NOTHING: BesideThem =
         BesideThem { open: Vec::new(), norms: Vec::new(), length: 1.0, rubs: Vec::new() };
 
-    /// The constraints that share what is not unique, by the vectors of the null space that are in
-    /// it.
+    /// Returns the constraints that share what is not unique, from the vectors of the null space
+    /// that change it.
     pub(super) fn sharing(&self, system: &System, is_in_it: impl Fn(usize) -> bool) -> Vec<String> {
         let own: Vec<&Vec<f64>> = self
             .open
@@ -61,11 +61,11 @@ impl BesideThem {
 pub(super) struct AllMultipliers {
     rows: usize,
     lambda: Vec<f64>,
-    /// One a time; none at all where no time has any.
+    /// One entry for each time, or empty if no time has an entry.
     beside: Vec<BesideThem>,
 }
 
-/// A list of so many that are not numbers yet, made by many at once.
+/// Returns a list of `count` NaN, written by many threads at once.
 pub(super) fn not_numbers(count: usize) -> Vec<f64> {
     const MANY: [f64; 64] = [f64::NAN; 64];
     let mut list = Vec::with_capacity(count);
@@ -76,17 +76,17 @@ pub(super) fn not_numbers(count: usize) -> Vec<f64> {
 }
 
 impl AllMultipliers {
-    /// Of so many equations and times, not numbers yet.
+    /// Creates multipliers for these equations and times, filled with NaN.
     pub(super) fn new(rows: usize, times: usize) -> Self {
         AllMultipliers { rows, lambda: not_numbers(rows * times), beside: Vec::new() }
     }
 
-    /// λ of all times, one row a time.
+    /// Returns λ of all times, one row for each time.
     pub(super) fn all(&mut self) -> &mut [f64] {
         &mut self.lambda
     }
 
-    /// Those of time k; of what only some mechanisms have the times come in their order.
+    /// Stores the multipliers of time k. The additional data must come in the order of the times.
     pub(super) fn set(&mut self, k: usize, found: Multipliers) {
         self.at_mut(k).copy_from_slice(&found.lambda);
         if !(found.beside.open.is_empty() && found.beside.rubs.is_empty()) {
@@ -95,7 +95,7 @@ impl AllMultipliers {
         }
     }
 
-    /// λ at time k.
+    /// Returns λ at time k.
     pub(super) fn at(&self, k: usize) -> &[f64] {
         &self.lambda[k * self.rows..][..self.rows]
     }
@@ -108,13 +108,13 @@ impl AllMultipliers {
         self.beside.get(k).unwrap_or(const { &BesideThem::NOTHING })
     }
 
-    /// Takes out what can be added at time k: λ is unique from now on.
+    /// Removes and returns the null space at time k, because λ is unique from now on.
     pub(super) fn close(&mut self, k: usize) -> Vec<Vec<f64>> {
         self.beside.get_mut(k).map(|beside| std::mem::take(&mut beside.open)).unwrap_or_default()
     }
 }
 
-/// Solves C_qᵀ λ = Q at one time after the other: the elimination of the time before is tried
+/// Solves C_qᵀ λ = Q at one time after the other. It tries the elimination of the preceding time
 /// first.
 pub(super) struct TransposedSolver<'a> {
     system: &'a System,
@@ -145,12 +145,12 @@ impl<'a> TransposedSolver<'a> {
         TransposedSolver { system, instant: equations.instant(), kind, c: vec![0.0; m] }
     }
 
-    /// The system whose forces these are.
+    /// Returns the system whose forces these are.
     pub(super) fn system(&self) -> &'a System {
         self.system
     }
 
-    /// λ for other generalised forces, by the elimination of the last solution.
+    /// Returns λ for other generalised forces, with the elimination of the last solution.
     pub(super) fn transposed(&self, by_q: &[f64]) -> Vec<f64> {
         match &self.kind {
             Kind::Square(linear) => linear.solved_transposed(by_q),
@@ -165,7 +165,7 @@ impl<'a> TransposedSolver<'a> {
         }
     }
 
-    /// −C_qᵀ λ of one constraint, at the time of the last solution.
+    /// Returns −C_qᵀ λ of one constraint at the time of the last solution.
     pub(super) fn by_block(&self, block: usize, lambda: &[f64]) -> Vec<f64> {
         let equations = self.system.equations();
         let values = match &self.kind {
@@ -182,13 +182,14 @@ impl<'a> TransposedSolver<'a> {
         by_q
     }
 
-    /// λ · C_t, the power of all that drives, at the time of the last solution.   \[W\]
+    /// Returns λ · C_t, the power of all drivers, at the time of the last solution. \[W\]
     pub(super) fn power(&mut self, lambda: &[f64]) -> f64 {
         self.system.equations().velocity_rhs(&self.instant, &mut self.c);
         self.c.iter().zip(lambda).map(|(minus_c_t, lambda)| -minus_c_t * lambda).sum()
     }
 
-    /// λ for the generalised forces Q. Errors: a singular position, terms that are not finite.
+    /// Returns λ for the generalised forces Q. Errors: a singular position, terms that are not
+    /// finite.
     pub(super) fn solve(&mut self, now: Now<'_>, by_q: &[f64]) -> Result<Multipliers> {
         let system = self.system;
         let equations = self.system.equations();
@@ -228,8 +229,8 @@ impl<'a> TransposedSolver<'a> {
                 let point = Point { c: Vec::new(), values: values.clone() };
                 let mut open = null_space(system, &point, measures);
                 for y in &mut open {
-                    // Entries that are all but zero were left out: their part of the balance comes
-                    // back.
+                    // The solver omitted entries close to zero; this adds their part of the
+                    // balance.
                     let mut left = vec![0.0; system.n_coordinates()];
                     for (entry, value) in equations.entries.iter().zip(&scaled_values) {
                         if let Some((row, column)) = entry {
@@ -254,7 +255,7 @@ impl<'a> TransposedSolver<'a> {
     }
 }
 
-/// Orthonormal vectors y with yᵀ C_q = 0, rows in units of order 1.
+/// Returns orthonormal vectors y with yᵀ C_q = 0, for rows in units of order 1.
 fn null_space(system: &System, point: &Point, measures: &Measures) -> Vec<Vec<f64>> {
     let model = system.model();
     let m = system.n_equations();
@@ -280,7 +281,7 @@ fn null_space(system: &System, point: &Point, measures: &Measures) -> Vec<Vec<f6
     basis
 }
 
-/// The size of a length coordinate; 1 where there is none.
+/// Returns the size of a length coordinate, or 1 if there is none.
 fn length(system: &System, sizes: &[f64]) -> f64 {
     let units = &system.layout().units;
     let metre = units.iter().position(|unit| *unit == Unit::Metre);

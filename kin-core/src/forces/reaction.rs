@@ -1,4 +1,4 @@
-//! Force and torque of constraints and loads on a body over time.
+//! The force and torque of constraints and loads on a body over time.
 
 use super::acted::BodyWrench;
 use super::acting::Now;
@@ -13,16 +13,17 @@ use crate::model::loads::HasTorque;
 use crate::model::motion::Series;
 use crate::numbers::algebra::Vec3;
 
-/// Something that puts forces on bodies.
+/// The source of forces on bodies.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Source {
     Constraint(usize),
     Load(usize),
-    /// In a joint, by its number among those that have it.
+    /// Friction in a joint, by its index among the joints with friction.
     Friction(usize),
 }
 
-/// Forces and torques of a constraint, a sum of several, or a load on bodies.
+/// The forces and torques of a constraint, of a sum of several constraints, or of a load on its
+/// bodies.
 pub struct Reaction<'f> {
     forces: &'f Forces<'f>,
     name: String,
@@ -34,10 +35,12 @@ impl<'f> Reaction<'f> {
         Reaction { forces, name: name.to_string(), sources }
     }
 
-    /// Force and torque on one body. The ground is `PlanarBody::from(ground)` or
-    /// `SpatialBody::from(ground)`, and takes the opposite of all that is put on bodies.
+    /// Returns the force and torque on one body.
     ///
-    /// Errors: a body of another mechanism, one that it does not act on.
+    /// The ground is `PlanarBody::from(ground)` or `SpatialBody::from(ground)`. It receives the
+    /// opposite of all forces on bodies.
+    ///
+    /// Errors: a body of another mechanism, a body on which the source does not act.
     pub fn on<B: Body>(&self, body: B) -> Result<BodyWrench<'f, B::Vector>>
     where
         B::Vector: HasTorque,
@@ -95,7 +98,7 @@ impl<'f> Reaction<'f> {
         Ok(BodyWrench { forces, name, on, wrenches, open, stands, points, fixed: false, kind })
     }
 
-    /// The power that it puts into the mechanism: Q · q̇.   \[W\]
+    /// Returns the power that the source puts into the mechanism: Q · q̇. \[W\]
     pub fn power(&self) -> Series {
         let motion = self.forces.motion;
         let at = |k: usize| -> f64 {
@@ -108,8 +111,8 @@ impl<'f> Reaction<'f> {
         Series::new(format!("{}.power", self.name), unit, motion.clock(), values)
     }
 
-    /// Force and torque on the first of its bodies about its point at time k, and those of the
-    /// vectors of the null space; nothing where it acts on no body.
+    /// Returns the force and torque on the first of its bodies about its point at time k, and those
+    /// of the vectors of the null space. The list is empty if it acts on no body.
     pub(super) fn at_its_point(&self, k: usize) -> Vec<Wrench> {
         let forces = self.forces;
         let touched = self.touched();
@@ -127,7 +130,7 @@ impl<'f> Reaction<'f> {
             .collect()
     }
 
-    /// The bodies that it acts on, by their items.
+    /// Returns the items of the bodies on which the source acts.
     pub(super) fn touched(&self) -> Vec<usize> {
         let layout = self.forces.system.layout();
         let mut found = Vec::new();
@@ -163,7 +166,8 @@ impl<'f> Reaction<'f> {
         found
     }
 
-    /// The point of one constraint on a body: whose it is, and its local position.
+    /// Returns the point of one constraint on a body: the item of its owner, and its local
+    /// position.
     fn point(&self, target: &Target) -> Option<(Option<usize>, Vec3)> {
         let [source] = self.sources.as_slice() else { return None };
         let layout = self.forces.system.layout();
@@ -193,7 +197,8 @@ impl<'f> Reaction<'f> {
         own.or(all.first()).map(|(known, u)| (item(known), *u))
     }
 
-    /// Generalised forces at time k on all coordinates, and of each vector of the null space.
+    /// Returns the generalised forces at time k on all coordinates, and those of each vector of the
+    /// null space.
     fn generalised(&self, k: usize) -> Vec<Vec<f64>> {
         let forces = self.forces;
         let motion = self.forces.motion;
@@ -232,19 +237,19 @@ impl<'f> Reaction<'f> {
     }
 }
 
-/// Where a body is; the ground where it always is.
+/// Returns the position of a body, or of the ground.
 fn stand(forces: &Forces<'_>, item: Option<usize>, k: usize) -> Stand {
     Stand::of(item.map_or(&[], |item| columns(forces, item, forces.motion.q(k))))
 }
 
-/// The part of a body in a row of all coordinates.
+/// Returns the coordinates of a body from those of the mechanism.
 fn columns<'q>(forces: &Forces<'_>, item: usize, all: &'q [f64]) -> &'q [f64] {
     let item = &forces.system.layout().items[item];
     all.get(item.first..item.first + item.kind.coordinates().len()).unwrap_or_default()
 }
 
-/// Force and torque on a body about its origin; on the ground the opposite of all others, about the
-/// global origin.
+/// Returns the force and torque on a body about its origin. For the ground it returns the opposite
+/// of all others, about the global origin.
 fn wrench(
     forces: &Forces<'_>,
     item: Option<usize>,

@@ -1,4 +1,4 @@
-//! Forces that redundant constraints share, made unique by a rule.
+//! Rules that make forces unique which redundant constraints share.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,7 +7,7 @@ use super::reaction::{Reaction, Source};
 use crate::model::error::{Error, Result};
 use crate::model::loads::LoadSharing;
 
-/// Entries of the null space below this share of the largest one are rounding.   \[-\]
+/// Entries of the null space below this share of the largest one are rounding. \[-\]
 const NOTHING: f64 = 1e-10;
 
 impl Forces<'_> {
@@ -34,7 +34,7 @@ impl Forces<'_> {
         Ok(())
     }
 
-    /// The shares of the vectors of the null space with which the norm is least.
+    /// Returns the shares of the vectors of the null space that minimise the norm.
     fn least(&self, k: usize) -> Result<DVector<f64>> {
         let lambda = self.multipliers.at(k);
         let at = self.multipliers.beside(k);
@@ -53,7 +53,7 @@ impl Forces<'_> {
                         .zip(all)
                         .for_each(|(open, wrench)| open.extend(wrench.components()));
                 }
-                // Bare coordinates have no point: their multipliers count.
+                // Scalar coordinates have no point, so their multipliers count.
                 None => {
                     own.extend(block.rows().map(|row| lambda[row]));
                     let rows = || block.rows();
@@ -68,7 +68,7 @@ impl Forces<'_> {
         solved.map_err(|reason| invalid(self.system.name(), reason))
     }
 
-    /// The shares with which the multipliers of these equations are zero.
+    /// Returns the shares for which the multipliers of these equations are zero.
     fn left_out(&self, names: &[String], k: usize) -> Result<DVector<f64>> {
         let lambda = self.multipliers.at(k);
         let at = self.multipliers.beside(k);
@@ -90,7 +90,7 @@ impl Forces<'_> {
         if n == 0 {
             return Ok(DVector::zeros(0));
         }
-        // Each row by its largest entry, so that units do not count.
+        // Each row is divided by its largest entry, so that units do not matter.
         let size = |row: usize| at.open.iter().fold(0.0_f64, |m, open| m.max(open[row].abs()));
         let largest = (0..equations.rows).map(size).fold(0.0, f64::max);
         if let Some(row) = rows.iter().find(|row| size(**row) <= NOTHING * largest) {

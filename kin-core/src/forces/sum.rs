@@ -1,4 +1,4 @@
-//! Generalised forces of everything but constraints, time by time, with energies and powers.
+//! The generalised forces of everything except constraints, time by time, with energies and powers.
 
 use super::acting::{Beside, Laid, Now, scatter};
 use super::body::{self, Moved};
@@ -7,29 +7,29 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::system::System;
 
-/// Generalised forces of everything but constraints, and their powers.
+/// The generalised forces of everything except constraints, and their powers.
 pub(super) struct Sum<'a> {
     system: &'a System,
     loads: &'a [(&'a str, Laid<'a>)],
     points: &'a [(&'a str, Beside<'a>, f64)],
-    /// Q_e + Q_v − M q̈.
+    /// Q_e + Q_v − M q̈, by coordinates of the mechanism.
     pub(super) by_q: Vec<f64>,
-    /// Those of one load.
+    /// The generalised forces of one load.
     own: Vec<f64>,
 }
 
-/// Energies and powers at one time.
+/// The energies and powers at one time.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct At {
     pub kinetic: f64,
     pub potential: f64,
-    /// dT/dt, by differentiating T.
+    /// dT/dt, from differentiating T.
     pub rate: f64,
     pub drives: f64,
     pub loads: f64,
     pub weight: f64,
     pub friction: f64,
-    /// The largest power of any of the forces on any coordinate.
+    /// The largest power of any force on any coordinate.
     pub largest: f64,
 }
 
@@ -55,13 +55,13 @@ impl<'a> Sum<'a> {
         Sum { system, loads, points, by_q: Vec::new(), own: Vec::new() }
     }
 
-    /// Q_e + Q_v − M q̈ at one time. Errors: a load that is not finite.
+    /// Returns Q_e + Q_v − M q̈ at one time. Errors: a load that is not finite.
     pub(super) fn generalised(&mut self, now: Now<'_>) -> Result<Vec<f64>> {
         self.at(now)?;
         Ok(self.by_q.clone())
     }
 
-    /// All of it at one time. Errors: a load that is not finite.
+    /// Computes everything at one time. Errors: a load that is not finite.
     pub(super) fn at(&mut self, now: Now<'_>) -> Result<At> {
         let mut at = At::default();
         self.by_q.clear();
@@ -124,7 +124,7 @@ impl<'a> Sum<'a> {
         at.potential += body.potential;
     }
 
-    /// Points with mass: Q = −m r_qᵀ (r̈ − g).
+    /// Adds points with mass: Q = −m r_qᵀ (r̈ − g).
     fn weigh_points(&mut self, now: Now<'_>, at: &mut At) -> Result<()> {
         let gravity = self.system.loads.gravity;
         for (name, point, mass) in self.points {
@@ -148,7 +148,7 @@ impl<'a> Sum<'a> {
     }
 }
 
-/// The coordinates of a body from number `first` on.
+/// Returns the coordinates of a body from index `first` on, or `None` if there are too few.
 fn moved<const N: usize>(now: Now<'_>, first: usize) -> Option<Moved<'_, N>> {
     let [q, qd, qdd] = [now.q, now.qd, now.qdd].map(|all| all.get(first..)?.first_chunk());
     Some(Moved { q: q?, qd: qd?, qdd: qdd? })

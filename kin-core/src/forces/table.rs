@@ -1,4 +1,4 @@
-//! All forces as columns, and as a table on disk.
+//! All forces as columns, and as a table in a file.
 
 use std::io::Write;
 use std::path::Path;
@@ -12,16 +12,17 @@ use crate::model::motion::Series;
 use crate::solve::motion::csv::{as_text, reason, to_file};
 use crate::system::System;
 
-/// A force below this share of the largest one is none.   \[-\]
+/// A force below this share of the largest one counts as zero. \[-\]
 const NOTHING: f64 = 1e-9;
 
 impl System {
-    /// An error for the first of these names that is no measure, no coordinate and no column of
-    /// forces ([`Forces::columns`]): for what is to be kept of many cases, before any of them is
-    /// computed. Columns are those at time t; where there are no forces then, nothing is said of
-    /// names that may be theirs.
+    /// Returns an error for the first of these names that is no measure, no coordinate and no
+    /// column of forces ([`Forces::columns`]).
     ///
-    /// Errors: [`Error::UnknownName`], with the names that there are.
+    /// Call it before a sweep over many cases. Columns are those at time t. If there are no forces
+    /// at that time, names that may be columns are not checked.
+    ///
+    /// Errors: [`Error::UnknownName`], with the names that exist.
     pub fn check_columns(&self, names: &[impl AsRef<str>], t: f64) -> Result<()> {
         let mut known: Vec<String> = self.measures();
         known.extend(self.coordinate_names().iter().cloned());
@@ -44,11 +45,15 @@ impl System {
 }
 
 impl Forces<'_> {
-    /// Everything that is unique as numbers over time: of each drive effort and power, of each
-    /// constraint the components on each of its bodies about its point in global axes
-    /// (`A on crank.F_x`), of friction the same and its power (`A.friction on crank.T`), both
-    /// energies. The rows by which Euler parameters stay normalised hold nothing and have no
-    /// columns.
+    /// Returns every unique quantity over time as a column:
+    ///
+    /// * the effort and power of each driver,
+    /// * the components of each constraint on each of its bodies, about its point in global axes
+    ///   (`A on crank.F_x`),
+    /// * the components and the power of each friction (`A.friction on crank.T`),
+    /// * both energies.
+    ///
+    /// The norm constraints of Euler parameters carry no force and have no columns.
     pub fn columns(&self) -> Vec<Series> {
         let mut all = Vec::new();
         for name in self.drives() {
@@ -74,10 +79,10 @@ impl Forces<'_> {
         all
     }
 
-    /// The column of this name, such as `motor` or `A on crank.F_x`.
+    /// Returns the column with this name, such as `motor` or `A on crank.F_x`.
     ///
-    /// Errors: a name that no column has, with those that there are; a component that is not unique
-    /// has none.
+    /// Errors: a name that no column has, with the names that exist. A component that is not unique
+    /// has no column.
     pub fn named(&self, name: &str) -> Result<Series> {
         let mut all = self.columns();
         if let Some(found) = all.iter().position(|column| column.name() == name) {
@@ -87,8 +92,8 @@ impl Forces<'_> {
         Err(Error::UnknownName { what: "column of forces", name: name.to_string(), known })
     }
 
-    /// |F| of each constraint that does not drive, on the first of its bodies (`A on crank.force`),
-    /// where it is unique and not zero at all times.
+    /// Returns |F| of each constraint that is no driver, on the first of its bodies (`A on
+    /// crank.force`). It omits forces that are not unique, and those that are always zero.
     pub fn magnitudes(&self) -> Vec<Series> {
         let layout = self.system.layout();
         let drives = self.drives();
@@ -112,7 +117,7 @@ impl Forces<'_> {
         all
     }
 
-    /// The components of a reaction that are unique, on each of its bodies.
+    /// Returns the unique components of a reaction on each of its bodies.
     fn on_bodies(&self, reaction: &Reaction<'_>) -> Vec<Series> {
         let layout = self.system.layout();
         let mut all = Vec::new();
@@ -130,17 +135,19 @@ impl Forces<'_> {
         all
     }
 
-    /// Writes [`Forces::columns`] as CSV, making folders that are missing: t, then a column each,
-    /// with headers such as `A on crank.F_x [N]`; 17 significant digits.
+    /// Writes [`Forces::columns`] as a CSV file and creates missing folders.
     ///
-    /// Errors: a folder or file that cannot be written, by its path.
+    /// The first column is t. Headers have the form `A on crank.F_x [N]`; numbers have 17
+    /// significant digits.
+    ///
+    /// Errors: a folder or file that cannot be written, with its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
         to_file(path.as_ref(), |to| self.write_csv_to(to))
     }
 
-    /// Writes the same table to anything that takes bytes, such as the standard output.
+    /// Writes the table of [`Forces::write_csv`] to a writer, such as standard output.
     ///
-    /// Errors: what the writer reports.
+    /// Errors: those of the writer.
     pub fn write_csv_to(&self, to: impl Write) -> std::io::Result<()> {
         let columns = self.columns();
         let mut table = csv::Writer::from_writer(to);

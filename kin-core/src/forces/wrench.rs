@@ -1,17 +1,17 @@
-//! Force and torque: of generalised forces, at other points, in other axes.
+//! Force and torque: from generalised forces, about other points, in other axes.
 
 use super::body::torque;
 use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{EulerParameters, Mat3, Vec3};
 
-/// A force and its moment about a point, in some axes.   \[N, N m\]
+/// A force and its moment about a point, in some axes. \[N, N m\]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Wrench {
     pub force: Vec3,
     pub torque: Vec3,
 }
 
-/// Where a body is: its origin and its axes.   \[m\]
+/// The position of a body: its origin and its axes. \[m\]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Stand {
     pub r: Vec3,
@@ -19,7 +19,7 @@ pub(super) struct Stand {
 }
 
 impl Stand {
-    /// Of a body's coordinates; the ground's are none.
+    /// Returns the position from the body's coordinates; the ground has none.
     pub(super) fn of(q: &[f64]) -> Stand {
         if let Some(q) = q.first_chunk::<7>() {
             let state = SpatialState::new(*q);
@@ -34,15 +34,15 @@ impl Stand {
         Stand { r: Vec3::new(state.r.x, state.r.y, 0.0), a }
     }
 
-    /// r + A ū.
+    /// Returns r + A ū.
     pub(super) fn point(&self, u: Vec3) -> Vec3 {
         self.r + self.a * u
     }
 }
 
 impl Wrench {
-    /// Of the generalised forces on the coordinates of a planar or spatial body, about its origin,
-    /// in global axes.
+    /// Converts the generalised forces on the coordinates of a planar or spatial body to force and
+    /// torque about its origin, in global axes.
     pub(super) fn of(q: &[f64], by_q: &[f64]) -> Wrench {
         match (q.first_chunk::<7>(), by_q.first_chunk::<7>(), by_q.first_chunk::<3>()) {
             (Some(q), Some(by_q), _) => {
@@ -58,18 +58,18 @@ impl Wrench {
         }
     }
 
-    /// About another point: T + (r_from − r_to) × F.
+    /// Returns the wrench about another point: T + (r_from − r_to) × F.
     pub(super) fn moved(self, from: Vec3, to: Vec3) -> Wrench {
         Wrench { torque: self.torque + (from - to).cross(self.force), ..self }
     }
 
-    /// In the axes of a body.
+    /// Converts the wrench to the axes of a body.
     pub(super) fn seen_from(self, a: Mat3) -> Wrench {
         let back = a.transpose();
         Wrench { force: back * self.force, torque: back * self.torque }
     }
 
-    /// Force, then torque.
+    /// Returns force, then torque.
     pub(super) fn components(self) -> [f64; 6] {
         let [x, y, z] = self.force.to_array();
         let [a, b, c] = self.torque.to_array();

@@ -1,13 +1,13 @@
-//! The constraint library, written in the product's own language: each joint is its equation, no
-//! derivative is written by hand.
+//! The library of joints, couplings and drivers. Each joint is a function whose body is its
+//! equation; Kin derives all derivatives from it.
 //!
-//! `docs/library.md` shows all of them with their equations, rows and freedoms. Planar joints and
-//! drivers are in the prelude; those of spatial bodies live in the module [`spatial`], where they
-//! have the same names.
+//! `docs/library.md` lists every joint with its equation, rows and freedoms. The prelude contains
+//! the planar joints and drivers. The module [`spatial`] contains those of spatial bodies, under
+//! the same names.
 //!
-//! Constructors give values, not results. A constraint that makes no sense (a length below zero, an
-//! axis without direction, a law whose parts do not meet) is refused by name where a constraint is
-//! added: [`Mechanism::add`](crate::Mechanism::add).
+//! A constructor returns a joint, never an error. [`Mechanism::add`](crate::Mechanism::add) checks
+//! the joint and names what is wrong: a negative length, an axis without direction, a law whose
+//! parts do not meet.
 
 pub mod drivers;
 pub mod planar;

@@ -1,29 +1,29 @@
-//! How near a factored matrix is to a singular one, by inverse iteration with the recorded program
-//! and its transpose.
+//! Estimates how close a factored matrix is to a singular one, by inverse iteration with the
+//! recorded program and its transpose.
 
 use super::Linear;
 use crate::numbers::random::Random;
 
-/// Rounds of A⁻¹, then A⁻ᵀ, for a verdict, and for numbers that are shown.
+/// The number of iterations with A⁻¹, then A⁻ᵀ, for a verdict, and for numbers that a user sees.
 const ROUNDS: usize = 3;
 const ROUNDS_SHOWN: usize = 30;
 
 impl Linear {
-    /// An estimate (from below, seldom by more than 2) of the 2-norm condition number of the matrix
-    /// by the measures of its rows and columns; not finite where it overflows.   \[-\]
+    /// Returns an estimate of the 2-norm condition number of the scaled matrix, from below and
+    /// rarely by more than a factor of 2. It is not finite if it overflows. \[-\]
     pub(crate) fn condition(&mut self) -> f64 {
         let [largest, smallest] = self.nearly_null_after(ROUNDS).2;
         largest / smallest
     }
 
-    /// Estimates of the largest singular value of the matrix by the measures of its rows and
-    /// columns (from below), and of the smallest (from above).   \[-\]
+    /// Returns estimates of the largest singular value of the scaled matrix (from below) and of the
+    /// smallest (from above). \[-\]
     pub(crate) fn singular_values(&mut self) -> [f64; 2] {
         self.nearly_null_after(ROUNDS_SHOWN).2
     }
 
-    /// Vectors that the transpose and the matrix nearly take to zero, by the measures of rows and
-    /// columns, and the largest and the smallest singular value.
+    /// Returns nearly null vectors of the transpose and of the matrix, scaled, and the largest and
+    /// the smallest singular value.
     pub(crate) fn nearly_null(&mut self) -> (Vec<f64>, Vec<f64>, [f64; 2]) {
         self.nearly_null_after(ROUNDS)
     }
@@ -36,7 +36,7 @@ impl Linear {
         let mut direct = 0.0_f64;
         let mut v = left.clone();
         let mut right = Vec::new();
-        // Each length is no less than the one before it.
+        // Each length is at least the one before it.
         for _ in 0..rounds {
             self.apply_inverse(&mut left);
             normalise(&mut left);
@@ -50,12 +50,12 @@ impl Linear {
             v = self.apply(&v, true);
             direct = normalise(&mut v);
         }
-        // The right side may be waiting for a matrix that has to be judged first.
+        // The right side may belong to a solve that waits for this verdict, so it is restored.
         self.rhs_mut().copy_from_slice(&rhs);
         (left, right, [direct, inverse.recip()])
     }
 
-    /// v becomes the inverse of the measured matrix times v.
+    /// Replaces v by the inverse of the scaled matrix times v.
     fn apply_inverse(&mut self, v: &mut [f64]) {
         let units = self.row_units.clone();
         for ((b, v), unit) in self.rhs_mut().iter_mut().zip(v.iter()).zip(units.iter()) {
@@ -67,7 +67,7 @@ impl Linear {
         }
     }
 
-    /// The same with the transpose.
+    /// Replaces v by the inverse transpose of the scaled matrix times v.
     fn apply_inverse_transposed(&mut self, v: &mut [f64]) {
         v.iter_mut().zip(&self.column_units).for_each(|(v, unit)| *v /= unit);
         let x = self.solved_transposed(v);
@@ -76,7 +76,7 @@ impl Linear {
         }
     }
 
-    /// The solution of Aᵀ x = b with the factors at hand.
+    /// Returns the solution of Aᵀ x = b with the present factors.
     pub(crate) fn solved_transposed(&self, b: &[f64]) -> Vec<f64> {
         let mut adjoint = vec![0.0; self.memory.len()];
         let rhs = self.places.rhs as usize;
@@ -88,7 +88,7 @@ impl Linear {
         adjoint[rhs..][..self.n].to_vec()
     }
 
-    /// The measured matrix, or its transpose, times v.
+    /// Returns the scaled matrix, or its transpose, times v.
     fn apply(&self, v: &[f64], transposed: bool) -> Vec<f64> {
         let mut product = vec![0.0; self.n];
         for (entry, value) in self.entries.iter().zip(self.values()) {
@@ -104,7 +104,7 @@ impl Linear {
     }
 }
 
-/// Makes |v| = 1 and gives what it was; what is not finite counts as infinite.
+/// Normalises v to |v| = 1 and returns the old norm; a norm that is not finite counts as infinite.
 fn normalise(v: &mut [f64]) -> f64 {
     let largest =
         v.iter().fold(0.0_f64, |m, x| if x.is_nan() { f64::INFINITY } else { m.max(x.abs()) });
@@ -117,7 +117,7 @@ fn normalise(v: &mut [f64]) -> f64 {
     largest * norm
 }
 
-/// Numbers of either sign between ½ and 1, always the same ones.
+/// Draws numbers of either sign between ½ and 1. They are the same in every run.
 fn sign_and_size(random: &mut Random) -> f64 {
     let x = random.number();
     0.5 * x + 0.5_f64.copysign(x)

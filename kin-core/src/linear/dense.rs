@@ -1,10 +1,10 @@
-//! A small matrix, eliminated at once: where each matrix is far from the one before, recording does
-//! not pay.
+//! A small dense matrix, eliminated at once. If each matrix differs much from the one before,
+//! recording does not pay.
 
-/// A pivot below this is zero, of a matrix whose rows and columns are of order 1.   \[-\]
+/// A pivot below this value is zero, for a matrix with rows and columns of order 1. \[-\]
 const SINGULAR: f64 = 1e-13;
 
-/// n equations for n unknowns, and their right side.
+/// n equations for n unknowns, with their right side.
 #[derive(Clone, Debug)]
 pub(crate) struct Dense {
     n: usize,
@@ -18,7 +18,7 @@ impl Dense {
         Dense { n, rows: vec![0.0; n * (n + 1)], solution: vec![0.0; n] }
     }
 
-    /// Takes the values (row, column, value), which add up, and the right side.
+    /// Stores the values (row, column, value), which add up, and the right side.
     pub(crate) fn set(
         &mut self,
         entries: impl Iterator<Item = (usize, usize, f64)>,
@@ -30,7 +30,7 @@ impl Dense {
         self.rows.chunks_exact_mut(width).zip(rhs).for_each(|(row, b)| row[width - 1] = b);
     }
 
-    /// The solution, by elimination with row pivots; `None` of a singular matrix.
+    /// Returns the solution, by elimination with row pivots, or `None` for a singular matrix.
     pub(crate) fn solve(&mut self) -> Option<&[f64]> {
         let n = self.n;
         let width = self.n + 1;

@@ -1,57 +1,63 @@
-//! Rank of a sparse matrix of any shape, and what it takes to zero from either side.
+//! The rank of a sparse matrix of any shape, and its null spaces on both sides.
 //!
-//! Gaussian elimination with sparse pivots as long as good ones are left, then with the largest
-//! entry of what remains: large mechanisms stay sparse, and the last pivots, which decide on the
-//! rank, are found by complete pivoting. Rows and columns must be scaled to order 1.
+//! Gaussian elimination uses sparse pivots as long as good ones remain, then the largest remaining
+//! entry. So large mechanisms stay sparse, and complete pivoting finds the last pivots, which
+//! decide on the rank. Rows and columns must be scaled to order 1.
 
-/// A pivot below this counts as zero, as a rule: rounding ε of C moves q by ε / pivot, and so the
-/// pivot by about as much, which is itself at √ε = 1.5e-8. Solver and diagnosis have this cut
-/// alone.   \[-\]
+/// A pivot below this value usually counts as zero. Rounding ε of C moves q by ε / pivot, and so
+/// the pivot by about as much; a pivot of √ε = 1.5e-8 is therefore as large as its error. Solver
+/// and diagnosis share this threshold. \[-\]
 pub(crate) const RANK: f64 = 1e-7;
 
-/// Sparse pivots are at least this, and at least [`THRESHOLD`] of the largest entry of their
-/// row.   \[-\]
+/// A sparse pivot is at least this value, and at least [`THRESHOLD`] of the largest entry of its
+/// row. \[-\]
 const SAFE: f64 = 0.02;
 const THRESHOLD: f64 = 0.1;
 
-/// Entries that cancel to less than this are taken out.   \[-\]
+/// Entries that cancel to less than this value are removed. \[-\]
 const CANCELLED: f64 = 1e-15;
 
-/// A vector by its entries that differ from zero, indices ascending.
+/// A vector by its nonzero entries, in increasing order of the indices.
 pub(crate) type Sparse = Vec<(usize, f64)>;
 
 /// An eliminated matrix.
 #[derive(Clone, Debug)]
 pub(crate) struct Echelon {
+    /// The pivots in order.
     steps: Vec<Step>,
-    /// Rows and columns without a pivot, ascending.
+    /// The rows without a pivot, in increasing order.
     pub free_rows: Vec<usize>,
+    /// The columns without a pivot, in increasing order.
     pub free_columns: Vec<usize>,
-    /// The smallest pivot that counts; infinite of none.
+    /// The smallest accepted pivot; infinite if there is none.
     pub smallest: f64,
-    /// The largest entry that was left as zero.
+    /// The largest entry that counted as zero.
     pub left: f64,
+    /// The numbers of rows and columns.
     shape: (usize, usize),
 }
 
-/// One pivot: its row as it stood then, and the multipliers of the rows below.
+/// One pivot, with its row at that time and the multipliers of the rows below.
 #[derive(Clone, Debug)]
 struct Step {
     row: usize,
     column: usize,
+    /// The value of the pivot.
     pivot: f64,
+    /// The entries of the pivot's row in U, by column.
     upper: Sparse,
+    /// The multipliers of the rows below, by row.
     lower: Sparse,
 }
 
 impl Echelon {
-    /// Eliminates the rows, each by its columns and values; repeated columns add up. Pivots below
-    /// `least` count as zero ([`RANK`] as a rule).
+    /// Eliminates the rows, each given by columns and values; repeated columns add up. Pivots below
+    /// `least` count as zero (usually [`RANK`]).
     pub(crate) fn new(rows: Vec<Sparse>, n: usize, least: f64) -> Self {
         Self::of_rank_at_most(rows, n, least, n)
     }
 
-    /// The same, where all but so many pivots count as zero anyway, the largest first.
+    /// Eliminates the rows with at most `most` pivots, the largest first; all others count as zero.
     pub(crate) fn of_rank_at_most(rows: Vec<Sparse>, n: usize, least: f64, most: usize) -> Self {
         let m = rows.len();
         let mut work = Work::new(rows, n);
@@ -83,12 +89,12 @@ impl Echelon {
         }
     }
 
-    /// Number of independent rows.
+    /// Returns the number of independent rows.
     pub(crate) fn rank(&self) -> usize {
         self.steps.len()
     }
 
-    /// The sign of the determinant of a square matrix; + where it is zero.
+    /// Returns the sign of the determinant of a square matrix; + if it is zero.
     pub(crate) fn sign(&self) -> i8 {
         let negative = self.steps.iter().filter(|step| step.pivot < 0.0).count();
         let order = |of: fn(&Step) -> usize| odd(&self.steps.iter().map(of).collect::<Vec<_>>());
@@ -96,12 +102,14 @@ impl Echelon {
         if odd && self.free_rows.is_empty() { -1 } else { 1 }
     }
 
-    /// x with A x = 0, one for each free column, which is 1 in its own and 0 in the others'.
+    /// Returns x with A x = 0, one for each free column. Each is 1 in its column and 0 in the other
+    /// free columns.
     pub(crate) fn null_space(&self) -> Vec<Sparse> {
         self.space(&self.free_columns, self.shape.1, |step| (step.column, &step.upper, step.pivot))
     }
 
-    /// y with yᵀ A = 0, one for each free row, which is 1 in its own and 0 in the others'.
+    /// Returns y with yᵀ A = 0, one for each free row. Each is 1 in its row and 0 in the other free
+    /// rows.
     pub(crate) fn left_null_space(&self) -> Vec<Sparse> {
         self.space(&self.free_rows, self.shape.0, |step| (step.row, &step.lower, 1.0))
     }
@@ -129,7 +137,7 @@ impl Echelon {
     }
 }
 
-/// True if a permutation is odd.
+/// Returns true if a permutation is odd.
 fn odd(permutation: &[usize]) -> bool {
     let mut seen = vec![false; permutation.len()];
     let mut odd = false;
@@ -144,9 +152,9 @@ fn odd(permutation: &[usize]) -> bool {
     odd
 }
 
-/// A share of the largest entry below this is rounding.   \[-\]
+/// An entry below this share of the largest one is rounding. \[-\]
 const SHARE: f64 = 1e-8;
-/// The entries at these indices that are more than rounding; leaves zeros there.
+/// Returns the entries at these indices that exceed rounding, and sets all of them to zero.
 fn taken(x: &mut [f64], mut touched: Vec<usize>) -> Sparse {
     touched.sort_unstable();
     let largest = touched.iter().fold(0.0_f64, |m, k| m.max(x[*k].abs()));
@@ -154,23 +162,23 @@ fn taken(x: &mut [f64], mut touched: Vec<usize>) -> Sparse {
     all.filter(|(_, x)| x.abs() > SHARE * largest).collect()
 }
 
-/// The entries of a dense vector that are more than rounding.
+/// Returns the entries of a dense vector that exceed rounding.
 fn sparse(x: &[f64]) -> Sparse {
     let largest = x.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
     x.iter().copied().enumerate().filter(|(_, x)| x.abs() > SHARE * largest).collect()
 }
 
-/// The part of a matrix that is still to be eliminated.
+/// The part of a matrix that remains to be eliminated.
 struct Work {
     rows: Vec<Sparse>,
-    /// Rows that have or had an entry in each column.
+    /// For each column the rows that have or had an entry in it.
     columns: Vec<Vec<usize>>,
     counts: Vec<usize>,
     open_rows: Vec<bool>,
     open_columns: Vec<bool>,
-    /// Rows that had no safe pivot when they were looked at, as long as nothing changes them.
+    /// For each row true if it had no safe pivot when it was examined and has not changed since.
     passed: Vec<bool>,
-    /// Open rows by their number of entries; stale places are skipped.
+    /// Open rows by their number of entries; outdated entries are skipped.
     by_length: Vec<Vec<usize>>,
 }
 
@@ -204,7 +212,7 @@ impl Work {
         }
     }
 
-    /// The shortest row that has a safe pivot, and of these the one in the shortest column.
+    /// Returns a safe pivot in the shortest row that has one, and there in the shortest column.
     fn sparse_pivot(&mut self) -> Option<(usize, usize)> {
         for length in 1..self.by_length.len() {
             while let Some(row) = self.by_length[length].pop() {
@@ -227,7 +235,7 @@ impl Work {
         safe.min_by_key(|(column, _)| self.counts[*column]).map(|(column, _)| *column)
     }
 
-    /// The largest entry that is left.
+    /// Returns the largest remaining entry.
     fn largest(&self) -> Option<(usize, usize, f64)> {
         let open = (0..self.rows.len()).filter(|row| self.open_rows[*row]);
         let entries = open.flat_map(|row| {
@@ -236,7 +244,7 @@ impl Work {
         entries.reduce(|best, next| if next.2 > best.2 { next } else { best })
     }
 
-    /// Takes the pivot's row and column out, and the column from all other rows.
+    /// Removes the pivot's row and column, and eliminates the column from all other rows.
     fn eliminate(&mut self, row: usize, column: usize) -> Step {
         let mut upper = std::mem::take(&mut self.rows[row]);
         (self.open_rows[row], self.open_columns[column]) = (false, false);
@@ -258,7 +266,7 @@ impl Work {
         Step { row, column, pivot, upper, lower }
     }
 
-    /// row −= factor · upper
+    /// Subtracts a multiple: row −= factor · upper.
     fn subtract(&mut self, row: usize, factor: f64, upper: &Sparse) {
         let old = std::mem::take(&mut self.rows[row]);
         let mut new = Vec::with_capacity(old.len() + upper.len());
@@ -291,14 +299,14 @@ impl Work {
     }
 }
 
-/// The basis of the same space in which each vector has an index of its own, where it is 1 and the
-/// others are 0: the first indices in the order of preference that allow it. By that the basis, and
-/// so what is told of it, does not depend on how the space was found. Gives each index with its
-/// vector, in the order of preference.
+/// Returns the basis of the same space in which each vector has an index where it is 1 and the
+/// others are 0: the first indices in the order of preference that allow it. So the basis, and the
+/// report about it, does not depend on how the space was found. Returns each index with its vector,
+/// in the order of preference.
 pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(usize, Sparse)> {
-    /// More vectors than this are told as they were found.
+    /// A larger number of vectors is returned without reduction.
     const LARGEST: usize = 300;
-    /// A share below this is no pivot.   \[-\]
+    /// A component below this value is no pivot. \[-\]
     const PIVOT: f64 = 1e-5;
     if space.len() > LARGEST {
         let mut places = vec![usize::MAX; size];
@@ -331,7 +339,7 @@ pub(crate) fn reduced(space: Vec<Sparse>, size: usize, order: &[usize]) -> Vec<(
     done.into_iter().map(|(index, vector)| (index, sparse(&vector))).collect()
 }
 
-/// other −= other[index] · vector, exactly zero at the index.
+/// Computes other −= other[index] · vector, exactly zero at the index.
 fn clear(other: &mut [f64], vector: &[f64], index: usize) {
     let factor = other[index];
     if factor != 0.0 {

@@ -1,57 +1,66 @@
-//! More equations than unknowns that agree with one another: as many independent ones are solved,
-//! the others are met or they are not.
+//! Solves more equations than unknowns that agree with one another: it solves as many independent
+//! equations as there are unknowns and checks the others.
 
 use std::collections::BTreeMap;
 
 use super::{Echelon, Linear, RANK, Sparse};
 
-/// Rows are chosen anew where the smallest pivot of those in use has faded to this share of what it
-/// has been.   \[-\]
+/// Rows are chosen again if the smallest pivot of those in use fades to this share of its largest
+/// value. \[-\]
 const FADED: f64 = 0.3;
 
-/// A row that is this many times another one in the sum that makes it takes its place.   \[-\]
+/// If a row has a larger factor than this in the sum that represents an omitted row, the omitted
+/// row replaces it. \[-\]
 const LARGER: f64 = 1.5;
 
-/// A x = b for an m × n matrix of rank n whose equations agree, rows and columns of order 1.
+/// Solves A x = b for an m × n matrix of rank n whose equations agree, with rows and columns of
+/// order 1.
 ///
-/// Which equations are superfluous changes on the way: rows are chosen whose determinant is large,
-/// and chosen anew before those in use become dependent. Half the work of least squares
-/// ([`super::LeastSquares`]), which equations that contradict one another need.
+/// The redundant equations change along a motion. So rows with a large determinant are chosen, and
+/// chosen again before those in use become dependent. This costs half as much as least squares
+/// ([`super::LeastSquares`]), which contradictory equations need.
 #[derive(Clone)]
 pub(crate) struct Independent {
+    /// The number of rows.
     m: usize,
+    /// The number of columns.
     n: usize,
+    /// The row and column of each value; `None` belongs to no entry.
     places: Vec<Option<(usize, usize)>>,
-    /// The values in hand, in the order of the places.
+    /// The present values, in the order of the places.
     values: Vec<f64>,
+    /// The chosen rows; `None` before the first factoring.
     chosen: Option<Chosen>,
 }
 
-/// Rows that are solved.
+/// The rows that are solved.
 #[derive(Clone)]
 struct Chosen {
     rows: Vec<usize>,
-    /// Numbers of the values in these rows; and row, column and number of those in others.
+    /// The indices of the values in these rows.
     inside: Vec<usize>,
+    /// The values in other rows, as (row, column, index).
     others: Vec<(usize, usize, usize)>,
     linear: Linear,
-    /// The largest that the smallest pivot has been.
+    /// The largest value of the smallest pivot.
     best: f64,
 }
 
 impl Independent {
-    /// One value for each place; `None` stands nowhere, repeated places add up.
+    /// Creates a matrix with one value for each place; `None` belongs to no entry, and repeated
+    /// places add up.
     pub(crate) fn new(m: usize, n: usize, places: &[Option<(usize, usize)>]) -> Self {
         Independent { m, n, places: places.to_vec(), values: vec![0.0; places.len()], chosen: None }
     }
 
-    /// Takes the values, in the order of the places; false if their rank is below n.
+    /// Factors A with these values, in the order of the places. Returns false if their rank is
+    /// below n.
     pub(crate) fn factor(&mut self, values: impl Iterator<Item = f64>) -> bool {
         self.values.iter_mut().zip(values).for_each(|(place, value)| *place = value);
         self.chosen.as_mut().is_some_and(|chosen| chosen.factor(&self.values)) || self.choose()
     }
 
-    /// Chooses rows by the values in hand.
+    /// Chooses rows from the present values.
     #[cold]
     fn choose(&mut self) -> bool {
         let mut rows = vec![Sparse::new(); self.m];
@@ -72,17 +81,17 @@ impl Independent {
         self.chosen.insert(Chosen::new(self.n, chosen, &self.places)).factor(&self.values)
     }
 
-    /// The rows in use, in increasing order; none before the first factoring.
+    /// Returns the rows in use, in increasing order; empty before the first factoring.
     pub(crate) fn rows(&self) -> &[usize] {
         self.chosen.as_ref().map_or(&[], |chosen| &chosen.rows)
     }
 
-    /// The smallest pivot of the last factoring.   \[-\]
+    /// Returns the smallest pivot of the last factoring. \[-\]
     pub(crate) fn smallest_pivot(&self) -> f64 {
         self.chosen.as_ref().map_or(0.0, |chosen| chosen.linear.smallest_pivot())
     }
 
-    /// x for the right side b, of length m.
+    /// Returns x for the right side b of length m.
     pub(crate) fn solve(&mut self, b: &[f64]) -> &[f64] {
         let Some(Chosen { rows, linear, .. }) = &mut self.chosen else { return &[] };
         linear.rhs_mut().iter_mut().zip(rows).for_each(|(place, row)| *place = b[*row]);
@@ -90,7 +99,7 @@ impl Independent {
         linear.solution()
     }
 
-    /// The y with Aᵀ y = b that is zero in the rows that are left out.
+    /// Returns y with Aᵀ y = b that is zero in the omitted rows.
     pub(crate) fn solved_transposed(&self, b: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.m];
         if let Some(Chosen { rows, linear, .. }) = &self.chosen {
@@ -99,7 +108,7 @@ impl Independent {
         y
     }
 
-    /// b − A x of the last solution, row by row, into `left`, which holds b.
+    /// Writes b − A x of the last solution, row by row, into `left`, which contains b.
     pub(crate) fn leave(&self, left: &mut [f64]) {
         let Some(Chosen { rows, linear, others, .. }) = &self.chosen else { return };
         let x = linear.solution();
@@ -110,9 +119,9 @@ impl Independent {
     }
 }
 
-/// The rows that are left out, each with the sum of the others that it is: first as the elimination
-/// has left them, then exchanged with a row of their sum as long as that makes the determinant of
-/// those that stay larger.
+/// Returns the omitted rows, each as a sum of the others. At first they are those of the
+/// elimination. Then an omitted row replaces a row of its sum as long as this increases the
+/// determinant of the remaining ones.
 fn exchanged(echelon: &Echelon) -> BTreeMap<usize, BTreeMap<usize, f64>> {
     let sums = echelon.free_rows.iter().zip(echelon.left_null_space()).map(|(free, vector)| {
         let others =
@@ -120,7 +129,7 @@ fn exchanged(echelon: &Echelon) -> BTreeMap<usize, BTreeMap<usize, f64>> {
         (*free, others.collect())
     });
     let mut sums: BTreeMap<usize, BTreeMap<usize, f64>> = sums.collect();
-    // Each exchange multiplies the determinant, whose largest value is bounded.
+    // Each exchange multiplies the determinant, which has an upper bound.
     for _ in 0..16 * sums.len() {
         let all = sums.iter().flat_map(|(free, sum)| {
             sum.iter().map(move |(row, factor)| (*free, *row, factor.abs()))
@@ -133,7 +142,7 @@ fn exchanged(echelon: &Echelon) -> BTreeMap<usize, BTreeMap<usize, f64>> {
     sums
 }
 
-/// A row that was left out takes the place of one that is in its sum.
+/// Exchanges an omitted row with one of its sum.
 fn exchange(sums: &mut BTreeMap<usize, BTreeMap<usize, f64>>, free: usize, row: usize) {
     let Some(mut sum) = sums.remove(&free) else { return };
     let Some(factor) = sum.remove(&row) else { return };
@@ -171,7 +180,7 @@ impl Chosen {
         Chosen { rows, inside, others, linear: Linear::new(n, pattern, &constants), best: 0.0 }
     }
 
-    /// Factors the rows; false if they have faded.
+    /// Factors the rows. Returns false if they have faded.
     fn factor(&mut self, values: &[f64]) -> bool {
         let linear = &mut self.linear;
         linear

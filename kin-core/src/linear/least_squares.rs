@@ -1,8 +1,8 @@
-//! Least squares: any number of equations for n unknowns, through the same recorded elimination.
+//! Least squares: any number of equations for n unknowns, by the same recorded elimination.
 
 use super::Linear;
 
-/// min |A x − b|² + λ |x|² by \[I, A; Aᵀ, −λ I\] (r, x) = (b, 0), which does not square the
+/// Minimises |A x − b|² + λ |x|² by \[I, A; Aᵀ, −λ I\] (r, x) = (b, 0), which does not square the
 /// condition of A.
 ///
 /// Rows and columns of A should be of order 1. With λ = 0 the columns must be independent.
@@ -14,8 +14,8 @@ pub(crate) struct LeastSquares {
 }
 
 impl LeastSquares {
-    /// An m × n matrix with one value for each place; `None` stands nowhere, repeated places add
-    /// up.
+    /// Creates an m × n matrix with one value for each place; `None` belongs to no entry, and
+    /// repeated places add up.
     pub(crate) fn new(m: usize, n: usize, places: &[Option<(usize, usize)>]) -> Self {
         let identity = (0..m).map(|i| Some((i, i)));
         let damping = (0..n).map(|j| Some((m + j, m + j)));
@@ -32,14 +32,14 @@ impl LeastSquares {
         }
     }
 
-    /// Takes the values, in the order of the places, and λ; false if that is singular.
+    /// Factors A with these values, in the order of the places, and λ. Returns false if the matrix
+    /// is singular.
     pub(crate) fn factor(&mut self, values: impl Iterator<Item = f64>, damping: f64) -> bool {
         self.linear.forget();
         self.factor_again(values, damping)
     }
 
-    /// The same where the values are near those of the last time: the elimination that was recorded
-    /// for them is tried first.
+    /// Factors A with values near the last ones: it tries the recorded elimination first.
     pub(crate) fn factor_again(&mut self, values: impl Iterator<Item = f64>, damping: f64) -> bool {
         let (identity, rest) = self.linear.values_mut().split_at_mut(self.m);
         let (below, places) = rest.split_at_mut(self.n);
@@ -55,12 +55,12 @@ impl LeastSquares {
         self.linear.factor()
     }
 
-    /// The smallest pivot of the last factoring.   \[-\]
+    /// Returns the smallest pivot of the last factoring. \[-\]
     pub(crate) fn smallest_pivot(&self) -> f64 {
         self.linear.smallest_pivot()
     }
 
-    /// x for the right side b, of length m.
+    /// Returns x for the right side b of length m.
     pub(crate) fn solve(&mut self, b: impl Iterator<Item = f64>) -> &[f64] {
         self.linear.rhs_mut().fill(0.0);
         self.linear.rhs_mut()[..self.m].iter_mut().zip(b).for_each(|(place, b)| *place = b);
@@ -68,7 +68,7 @@ impl LeastSquares {
         &self.linear.solution()[self.m..]
     }
 
-    /// b − A x of the last solution, row by row.
+    /// Writes b − A x of the last solution, row by row.
     pub(crate) fn leave(&self, left: &mut [f64]) {
         left.copy_from_slice(&self.linear.solution()[..self.m]);
     }

@@ -1,30 +1,33 @@
-//! How large rows and columns are, and have been: by these pivots are chosen and judged.
+//! The scales of rows and columns, from their present and earlier sizes. They select and judge
+//! pivots.
 
 use super::{Linear, RANK, SLACK};
 use crate::numbers::padded::{self, Padded};
 
 impl Linear {
-    /// max_j |a_ij| s_j of each row, the largest since the start or [`Linear::forget`].
+    /// Returns for each row the largest max_j |a_ij| s_j since the start or [`Linear::forget`].
     pub(crate) fn norms(&self) -> &[f64] {
         &self.norms
     }
 
-    /// One over that; 1 for a row that has been zero.
+    /// Returns one divided by the norm of each row; 1 for a row that has always been zero.
     pub(crate) fn row_units(&self) -> &Padded {
         &self.row_units
     }
 
-    /// s_j over the largest share of each column; what a unit of the measured unknown is.
+    /// Returns s_j divided by the largest scaled entry of each column: one unit of the scaled
+    /// unknown.
     pub(crate) fn column_units(&self) -> &[f64] {
         &self.column_units
     }
 
-    /// True if a column is so small that only a look at the whole matrix tells it from zero.
+    /// Returns true if a column is so small that only the rank of the whole matrix distinguishes it
+    /// from zero.
     pub(crate) fn is_faint(&self) -> bool {
         self.faint
     }
 
-    /// Forgets how large rows and columns have been.
+    /// Discards the earlier sizes of rows and columns.
     pub(crate) fn forget(&mut self) {
         if self.norms.iter().all(|norm| *norm == 0.0) {
             return;
@@ -35,19 +38,19 @@ impl Linear {
         self.set_units();
     }
 
-    /// True if rows or columns have grown since they were last confirmed.
+    /// Returns true if rows or columns have grown since their last confirmation.
     pub(crate) fn is_provisional(&self) -> bool {
         self.provisional
     }
 
-    /// How large rows and columns have been counts from now on.
+    /// Confirms the present scales.
     #[inline]
     pub(crate) fn confirm(&mut self) {
         self.provisional = false;
     }
 
-    /// Rows and columns are what they were when they were last confirmed: what was seen of them
-    /// since was not on the way.
+    /// Restores the last confirmed scales, because the values since then did not belong to the
+    /// motion.
     pub(crate) fn revoke(&mut self) {
         if std::mem::take(&mut self.provisional) {
             self.norms.copy_from_slice(&self.confirmed[0]);
@@ -56,14 +59,14 @@ impl Linear {
         }
     }
 
-    /// Measures rows and columns of the values as written, before [`Linear::factor`]; false if one
-    /// of them is not finite.
+    /// Scales rows and columns with the present values, before [`Linear::factor`]. Returns false if
+    /// one of them is not finite.
     pub(crate) fn measure(&mut self) -> bool {
         padded::inside(self.memory[..self.places.rhs as usize].as_chunks().0, self.limits.whole())
             || self.measure_anew()
     }
 
-    /// The same where something has grown, or is not finite.
+    /// Scales again after something has grown or is not finite.
     #[cold]
     fn measure_anew(&mut self) -> bool {
         if !std::mem::replace(&mut self.provisional, true) {

@@ -1,4 +1,4 @@
-//! Bodies whose points can be followed.
+//! Bodies with points that results can follow.
 
 use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
 use crate::model::state::{PlanarState, SpatialState};
@@ -7,9 +7,9 @@ use crate::numbers::real::{Dual3_64, Real};
 
 /// A vector of the plane or of space.
 pub trait Vector: Copy {
-    /// Names of its components.
+    /// The names of the components.
     const NAMES: &'static [&'static str];
-    /// Component k.
+    /// Returns component k.
     fn component(&self, k: usize) -> f64;
 }
 
@@ -29,7 +29,7 @@ impl Vector for Vec3 {
     }
 }
 
-/// The coordinates of a body and their rates at one time: those of the ground are none.
+/// The coordinates of a body and their derivatives at one time. The ground has none.
 #[doc(hidden)]
 #[derive(Clone, Copy)]
 pub struct Course<'a> {
@@ -39,29 +39,31 @@ pub struct Course<'a> {
     pub qd: &'a [f64],
     /// q̈
     pub qdd: &'a [f64],
-    /// q⃛, or nothing where it was not asked for.
+    /// q⃛; empty if the caller does not need the jerk.
     pub qddd: &'a [f64],
 }
 
-/// A body whose points can be followed.
+/// A body with points that results can follow.
 pub trait Body {
     /// `Vec2` or `Vec3`.
     type Vector: Vector;
 
-    /// The handle's place in a mechanism.
+    /// Returns the place of the handle in a mechanism.
     #[doc(hidden)]
     fn target(self) -> Target;
 
-    /// r, v, a and jerk of the local point u on this course of the body (without q⃛ the jerk means
-    /// nothing).
+    /// Returns r, v, a and jerk of the local point u for this course of the body. Without q⃛ the
+    /// jerk is meaningless.
     #[doc(hidden)]
     fn point(u: Self::Vector, course: Course<'_>) -> [Self::Vector; 4];
 
-    /// ū of a global point where the body's coordinates are these (those of the ground: none).
+    /// Returns the local position ū of a global point, for the body at coordinates q (empty for the
+    /// ground).
     #[doc(hidden)]
     fn local(point: Self::Vector, q: &[f64]) -> Self::Vector;
 
-    /// h̄ of a global direction where the body's coordinates are these (those of the ground: none).
+    /// Returns the local direction h̄ of a global direction, for the body at coordinates q (empty
+    /// for the ground).
     #[doc(hidden)]
     fn local_direction(h: Self::Vector, q: &[f64]) -> Self::Vector;
 }
@@ -81,7 +83,7 @@ impl Body for PlanarBody {
         };
         let [jx, jy, zeta] = qddd.first_chunk().copied().unwrap_or_default();
         let au = PlanarState::new([x, y, theta]).direction(u);
-        // A_θ ū, the 90° turn of A ū
+        // A_θ ū is A ū rotated by 90°.
         let turned = Vec2::new(-au.y, au.x);
         let across = zeta - w * w * w;
         let along = 3.0 * w * alpha;
@@ -102,7 +104,7 @@ impl Body for PlanarBody {
     }
 }
 
-/// A link is followed as its body.
+/// A link delegates to its body.
 macro_rules! as_its_body {
     ([$of:ident] $link:ty, $vector:ident, $body:ident) => {
         impl<$of: Scalar> Body for $link {
@@ -137,7 +139,7 @@ impl Body for SpatialBody {
         Target::Spatial(self)
     }
 
-    /// r = R + A(p) ū and its derivatives along p(t), by third-order dual numbers.
+    /// Computes r = R + A(p) ū and its derivatives along p(t) with third-order dual numbers.
     fn point(u: Vec3, course: Course<'_>) -> [Vec3; 4] {
         let Some(jets) = jets(course) else { return still(u) };
         let r = SpatialState::new(jets).point(u);
@@ -155,13 +157,13 @@ impl Body for SpatialBody {
     }
 }
 
-/// A point of the ground: it stays where it is.
+/// A point of the ground is at rest.
 fn still<V: Default>(u: V) -> [V; 4] {
     [u, V::default(), V::default(), V::default()]
 }
 
-/// The coordinates of a body as they move (with q⃛ zero if it is not there); `None` without N of
-/// each of the others.
+/// Returns the coordinates of a body as dual numbers along the motion; q⃛ counts as zero if it is
+/// missing. Returns `None` unless q, q̇ and q̈ have N numbers each.
 fn jets<const N: usize>(course: Course<'_>) -> Option<[Real<Dual3_64>; N]> {
     let qddd = course.qddd.first_chunk().unwrap_or(&[0.0; N]);
     let q = course.q.first_chunk::<N>()?;

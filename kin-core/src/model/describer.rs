@@ -1,8 +1,8 @@
-//! The parameters of one constraint, being collected to be written as data.
+//! Collects the parameters of one constraint to write them as data.
 
 use serde_json::{Map, Value};
 
-/// The parameters of one constraint, being collected.
+/// Collects the parameters of one constraint.
 #[derive(Default)]
 pub struct Describer {
     pub(crate) parameters: Map<String, Value>,
@@ -12,62 +12,63 @@ pub struct Describer {
     lacking: Vec<String>,
 }
 
-/// The constraints and loads of the library need no text: every reader has them.
+/// The modules of the library. Their constraints and loads need no text, because every reader has
+/// them.
 const LIBRARY: [&str; 2] = ["kin_core::joints", "kin_core::forces::library"];
 
 impl Describer {
-    /// The constraint cannot be described, and why.
+    /// Records the reason why the constraint cannot be described.
     pub fn refuse(&mut self, reason: impl Into<String>) {
         self.refusal.get_or_insert(reason.into());
     }
 
-    /// The parameters by name, as JSON.
+    /// Returns the parameters by name, as JSON.
     pub fn parameters(&self) -> &Map<String, Value> {
         &self.parameters
     }
 
-    /// The equation of the constraint as text, which the file then carries.
+    /// Records the equation of the constraint as text for the file.
     pub fn put_equation(&mut self, text: impl Into<String>) {
         self.text = Some(text.into());
     }
 
-    /// The same of a function of this module.
+    /// Records the text of a function of this module, unless the module belongs to the library.
     pub fn put_text(&mut self, module: &str, text: &str) {
         if !LIBRARY.iter().any(|library| module.starts_with(library)) {
             self.put_equation(text);
         }
     }
 
-    /// A constant or function that the text of the equation speaks of, as text.
+    /// Records the text of a constant or function that the equation uses.
     pub fn put_beside(&mut self, text: &str) {
         if !self.beside.iter().any(|known| known == text) {
             self.beside.push(text.to_string());
         }
     }
 
-    /// The text speaks of something that it cannot take along.
+    /// Records a name in the text whose definition the file cannot contain.
     pub fn lacks(&mut self, what: &str) {
         self.lacking.push(what.to_string());
     }
 
-    /// The equation with what stands beside it, where that is all that it needs.
+    /// Returns the equation with the definitions that it uses, if these are complete.
     pub fn equation(&self) -> Option<String> {
         let text = self.text.as_ref().filter(|_| self.lacking.is_empty())?;
         Some(self.beside.iter().map(|part| format!("{part}\n")).collect::<String>() + text)
     }
 
-    /// True of an equation that is not the library's.
+    /// Returns true if the equation does not belong to the library.
     pub(crate) fn is_own(&self) -> bool {
         self.text.is_some()
     }
 
-    /// Parts that the text of the equation speaks of and cannot take along; none where there is no
-    /// text.
+    /// Returns the names in the text whose definitions the file cannot contain. The list is empty
+    /// if there is no text.
     pub fn lacking(&self) -> &[String] {
         if self.text.is_some() { &self.lacking } else { &[] }
     }
 
-    /// A parameter under its name, or why it cannot be written.
+    /// Records a parameter under its name, or the reason why it cannot be written.
     pub fn put_value(&mut self, name: &str, value: Result<Value, String>) {
         match value {
             Ok(value) => {

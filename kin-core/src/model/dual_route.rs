@@ -1,8 +1,8 @@
-//! The second route: a constraint's own equation, evaluated with dual numbers.
+//! The dual route: evaluates the user's equation with dual numbers.
 //!
-//! `Dual64` along each column gives C_q and along t C_t; `Dual2_64` along (q̇, ṫ) gives the whole
-//! right side −g″(0); `HyperDual64` along q̇ and t gives the mixed term C_qt q̇, `Dual3_64` along
-//! the motion the right side for the jerk.
+//! `Dual64` along each column gives C_q, and along t C_t. `Dual2_64` along (q̇, ṫ) gives the whole
+//! right side −g″(0). `HyperDual64` along q̇ and t gives the mixed term C_qt q̇. `Dual3_64` along
+//! the motion gives the right side for the jerk.
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
@@ -15,39 +15,39 @@ use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Real};
 
-/// A constraint whose equation can be evaluated with any numbers: N local coordinates, M rows.
-/// Written by `#[constraint]`.
+/// A constraint whose equation works with any numbers, with N local coordinates and M rows.
+/// `#[constraint]` implements it.
 pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static {
-    /// Kinds of its arguments, in order.
+    /// The kinds of the arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
 
-    /// C(q, t) with any dual numbers.
+    /// Evaluates C(q, t) with dual numbers.
     fn evaluate<D: Dual>(&self, q: &[Real<D>; N], t: Real<D>) -> [Real<D>; M];
 
-    /// Measure k of [`Facts::measures`] with any dual numbers.
+    /// Evaluates measure k of [`Facts::measures`] with dual numbers.
     fn measured<D: Dual>(&self, k: usize, q: &[Real<D>; N], t: Real<D>) -> Real<D> {
         let _ = (k, q, t);
         Real::from(f64::NAN)
     }
 
-    /// C(q, t) by the function as the user wrote it, in plain f64: the reference for central
-    /// differences.
+    /// Evaluates C(q, t) in `f64` by the function as the user wrote it. Central differences use it
+    /// as a reference.
     fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
 }
 
-/// Kinds of arguments of a constraint.
+/// The kind of an argument of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ArgumentKind {
     /// A planar body: 3 columns.
     Planar,
     /// A spatial body: 7 columns.
     Spatial,
-    /// A bare coordinate: 1 column.
+    /// A scalar coordinate: 1 column.
     Coord,
 }
 
 impl ArgumentKind {
-    /// Number of columns: 3, 7 or 1.
+    /// Returns the number of columns: 3, 7 or 1.
     pub fn columns(self) -> usize {
         match self {
             ArgumentKind::Planar => 3,
@@ -57,11 +57,11 @@ impl ArgumentKind {
     }
 }
 
-/// A constraint that takes the dual route, whatever route its own `impl Constraint` takes.
+/// A constraint that takes the dual route, whatever route its `impl Constraint` takes.
 #[derive(Clone, Debug)]
 pub struct ByDual<E, const N: usize, const M: usize>(E);
 
-/// The same constraint on the dual route: each route checks the other.
+/// Returns the constraint on the dual route, to check one route against the other.
 pub fn by_dual<E: Equation<N, M>, const N: usize, const M: usize>(equation: E) -> ByDual<E, N, M> {
     ByDual(equation)
 }
@@ -113,14 +113,14 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Constraint for ByDual<E,
     }
 }
 
-/// The answers of its own route, but for the formula: a run on the dual route evaluates the user's
-/// body.
+/// Delegates to the route of the constraint, except for the formula: a run on the dual route
+/// evaluates the user's function.
 impl<E: Equation<N, M>, const N: usize, const M: usize> Written for ByDual<E, N, M> {
     fn attachments(&self) -> Vec<Attachment> {
         self.0.parts().written.map(|own| own.attachments()).unwrap_or_default()
     }
 
-    /// A term that is not finite on one route is not on the other.
+    /// A term that is not finite on one route is not finite on the other.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         self.0.parts().written?.blame(asked)
     }
@@ -132,7 +132,7 @@ impl<E: Equation<N, M>, const N: usize, const M: usize> Written for ByDual<E, N,
     }
 }
 
-/// C(q, t) with plain numbers.
+/// Evaluates C(q, t) with plain numbers.
 pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -142,7 +142,7 @@ pub fn residual<E: Equation<N, M>, const N: usize, const M: usize>(
     write(c, equation.evaluate(&q, Real::from(at.t)).map(|x| x.0));
 }
 
-/// C_q, one `Dual64` evaluation a column.
+/// Evaluates C_q with one `Dual64` evaluation for each column.
 pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -163,7 +163,7 @@ pub fn jacobian<E: Equation<N, M>, const N: usize, const M: usize>(
     }
 }
 
-/// −C_t by one `Dual64` evaluation along t.
+/// Evaluates −C_t with one `Dual64` evaluation along t.
 pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -173,7 +173,7 @@ pub fn velocity_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     write(rhs, equation.evaluate(&q, Real(Dual64::new(at.t, 1.0))).map(|x| -x.0.eps));
 }
 
-/// −g″(0) with g(s) = C(q + s q̇, t + s ṫ), by one `Dual2_64` evaluation.
+/// Evaluates −g″(0) with g(s) = C(q + s q̇, t + s ṫ) by one `Dual2_64` evaluation.
 pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -187,7 +187,7 @@ pub fn acceleration_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     write(q_d, equation.evaluate(&seeded, Real(Dual2_64::new(at.t, t_dot, 0.0))).map(|x| -x.0.v2));
 }
 
-/// C_qt q̇ by one `HyperDual64` evaluation along q̇ and t.   \[row/s²\]
+/// Evaluates C_qt q̇ by one `HyperDual64` evaluation along q̇ and t. \[row/s²\]
 pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],
@@ -198,8 +198,8 @@ pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(
     equation.evaluate(&seeded, Real(HyperDual64::along_second(t, 1.0))).map(|x| x.0.eps1eps2)
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), by one `Dual3_64` evaluation.   \[row/s³\] It
-/// is always known.
+/// Evaluates −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s) by one `Dual3_64` evaluation.
+/// \[row/s³\] The result is always known.
 pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,
@@ -217,8 +217,8 @@ pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     true
 }
 
-/// Measure k and its first three derivatives along a motion with the rates q̇, q̈ and q⃛, by one
-/// `Dual3_64` evaluation.
+/// Evaluates measure k and its first three derivatives along q̇, q̈ and q⃛ by one `Dual3_64`
+/// evaluation.
 pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     k: usize,
@@ -232,18 +232,18 @@ pub fn measure<E: Equation<N, M>, const N: usize, const M: usize>(
     [x.re, x.v1, x.v2, x.v3]
 }
 
-/// Local coordinates of a constraint, its arguments' one after the other.
+/// Returns the local coordinates of a constraint, argument after argument.
 fn coordinates<const N: usize>(arguments: &[ArgumentKind], at: &At<'_>) -> [f64; N] {
     gather(arguments, |k, n| at.coordinates(k, n))
 }
 
-/// Local rates of a constraint, its arguments' one after the other.
+/// Returns the local velocities of a constraint, argument after argument.
 fn rates<const N: usize>(arguments: &[ArgumentKind], qd: &Rates<'_>) -> [f64; N] {
     gather(arguments, |k, n| qd.columns(k, n))
 }
 
-/// The numbers of all arguments one after the other: `numbers` gives the n of argument k. Numbers
-/// that an argument has not are zero.
+/// Collects the numbers of all arguments, one argument after the other. `numbers` returns the n
+/// numbers of argument k; missing numbers are zero.
 fn gather<'a, const N: usize>(
     arguments: &[ArgumentKind],
     numbers: impl Fn(usize, usize) -> &'a [f64],

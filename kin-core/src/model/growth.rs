@@ -1,26 +1,28 @@
-//! Forces that grow without bound towards a singular position.
+//! Forces that grow without bound near a singular position.
 
 use std::fmt;
 
 use crate::model::units::Units;
 use crate::model::words;
 
-/// How the force or torque of one constraint grows towards a singular position of a motion: as |t −
-/// t*| to a power below zero ([`crate::forces::Forces::growth`]).
+/// The growth of the force or torque of a constraint near a singular position
+/// ([`crate::forces::Forces::growth`]).
+///
+/// The force grows like a negative power of |t − t*|.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Growth {
-    /// The constraint; a driver gives an effort without bound.
+    /// The constraint; for a driver it is the effort that grows.
     pub constraint: String,
     /// The time t* of the singular position.   \[s\]
     pub t: f64,
-    /// The power of |t − t*|, such as −½.   \[-\]
+    /// The exponent of |t − t*|, such as −½. \[-\]
     pub power: f64,
     /// Names of the units of length and time.
     pub units: Units,
 }
 
-/// Forces that were asked for at a singular position, where they have no bound.
+/// Forces have no bound at the requested time, which is a singular position.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "t = {}: a singular position, towards which forces grow without bound: {}. Leave this time out: at any \
@@ -31,17 +33,17 @@ pub struct Growth {
 pub struct Unbounded {
     /// The time t* of the singular position.   \[s\]
     pub t: f64,
-    /// The constraints whose forces grow, and how.
+    /// The constraints whose forces grow, with their exponents.
     pub growth: Vec<Growth>,
     /// Names of the units of length and time.
     pub units: Units,
 }
 
-/// Denominators of the powers that are told as fractions.
+/// Denominators of the exponents that Kin prints as fractions.
 const DENOMINATORS: [i32; 5] = [1, 2, 3, 4, 6];
 
 impl Growth {
-    /// The power as people write it: `−1/2`.
+    /// Returns the exponent as a fraction: `−1/2`.
     fn fraction(&self) -> String {
         let size = self.power.abs();
         let parts = |below: &i32| (f64::from(*below) * size, *below);
@@ -69,7 +71,7 @@ impl fmt::Display for Growth {
     }
 }
 
-/// The constraints by the powers that they share, the steepest first.
+/// Lists the constraints by common exponents, the steepest first.
 fn listed(growth: &[Growth]) -> String {
     let mut powers: Vec<&Growth> = Vec::new();
     for one in growth {

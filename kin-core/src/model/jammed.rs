@@ -1,11 +1,12 @@
-//! Mechanisms that friction holds fast.
+//! Mechanisms that friction jams.
 
 use crate::model::units::Units;
 use crate::model::words;
 
-/// A mechanism that friction holds fast: no finite forces of its drives move it as the motion has
-/// it. As friction grows from nothing, forces grow beyond all bounds, or end, before it has its
-/// full size; beyond that a drive would have to pull where it pushes.
+/// Friction jams the mechanism: no finite forces of its drivers move it along the motion.
+///
+/// Kin increases friction from zero to its full size. Before that size the forces grow without
+/// bound, or no solution exists. Beyond that point a driver would have to pull where it pushes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "t = {}: jammed: at {share:.3} of its friction `{constraint}` already needs forces without bound{}. Make the \
@@ -14,14 +15,15 @@ use crate::model::words;
 )]
 #[non_exhaustive]
 pub struct Jammed {
-    /// The joint with the friction that holds: of several the one that takes most power.
+    /// The joint with the friction that jams. Of several joints it is the one that dissipates the
+    /// most power.
     pub constraint: String,
     /// The first time of the motion at which it is jammed.   \[s\]
     pub t: f64,
-    /// The share of all friction with which forces are without bound: 1 where it is about to
-    /// jam.   \[-\]
+    /// The share of all friction at which forces have no bound: 1 if the mechanism is about to jam.
+    /// \[-\]
     pub share: f64,
-    /// The drives that work against it.
+    /// The drivers that work against the friction.
     pub drives: Vec<String>,
     /// Names of the units of length and time.
     pub units: Units,

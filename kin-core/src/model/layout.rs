@@ -1,4 +1,4 @@
-//! The global coordinates: bodies and bare coordinates in the order of their declaration, with
+//! The global coordinates: bodies and scalar coordinates in the order of their declaration, with
 //! names and units.
 
 use std::collections::HashSet;
@@ -9,7 +9,7 @@ use crate::model::coordinates::{
 use crate::model::error::{Error, Result};
 use crate::model::units::{Unit, Units};
 
-/// Kinds of declared items.
+/// The kinds of declared items.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Kind {
     Planar,
@@ -19,7 +19,7 @@ pub(crate) enum Kind {
 }
 
 impl Kind {
-    /// Name after the body's and unit of each coordinate.
+    /// Returns the suffix of the name and the unit of each coordinate.
     pub(crate) fn coordinates(self) -> &'static [(&'static str, Unit)] {
         use Unit::*;
         match self {
@@ -39,21 +39,21 @@ impl Kind {
     }
 }
 
-/// A body or a bare coordinate.
+/// A body or a scalar coordinate.
 #[derive(Clone, Debug)]
 pub(crate) struct Item {
     pub name: String,
     pub kind: Kind,
-    /// Its first global coordinate.
+    /// The index of its first global coordinate.
     pub first: usize,
 }
 
-/// Where a handle points.
+/// The place of a handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Place {
-    /// The global frame itself, or one of its coordinates, which is fixed at the value.
+    /// The global frame, or one of its coordinates, which has this constant value.
     Ground(f64),
-    /// Coordinates `first..` of the item.
+    /// The coordinates of an item, from column `first` on.
     Own { item: usize, first: usize },
 }
 
@@ -64,7 +64,7 @@ pub(crate) struct Layout {
     pub items: Vec<Item>,
     pub names: Vec<String>,
     pub units: Vec<Unit>,
-    /// Names of the units.
+    /// The names of the units.
     pub words: Units,
     /// Links as (item, length between the pins).   \[m\]
     pub links: Vec<(usize, f64)>,
@@ -84,18 +84,18 @@ impl Layout {
         }
     }
 
-    /// The lengths of planar links, of these lengths of links.
+    /// Returns the lengths of the planar links, from the lengths of all links.
     pub(crate) fn planar(&self, lengths: &[(usize, f64)]) -> Vec<f64> {
         let planar = |(item, _): &&(usize, f64)| self.items[*item].kind == Kind::Planar;
         lengths.iter().filter(planar).map(|(_, length)| *length).collect()
     }
 
-    /// Number of coordinates n.
+    /// Returns the number of coordinates n.
     pub(crate) fn len(&self) -> usize {
         self.names.len()
     }
 
-    /// Appends an item and gives its index.
+    /// Appends an item and returns its index.
     pub(crate) fn declare(&mut self, name: &str, kind: Kind) -> Result<usize> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName {
@@ -126,7 +126,7 @@ impl Layout {
         Ok(self.items.len() - 1)
     }
 
-    /// The bodies with their names.
+    /// Returns the bodies with their names.
     pub(crate) fn bodies(&self) -> Vec<(&str, Target)> {
         let mechanism = self.mechanism;
         let bodies = self.items.iter().enumerate().filter_map(|(index, item)| {
@@ -140,7 +140,7 @@ impl Layout {
         bodies.collect()
     }
 
-    /// The handle of a body by the number of its item.
+    /// Returns the handle of a body from the index of its item.
     pub(crate) fn target(&self, item: usize) -> Target {
         let mechanism = self.mechanism;
         let index = Some(item);
@@ -150,18 +150,18 @@ impl Layout {
         }
     }
 
-    /// The unit of coordinate `column` (`order` 0) or of one of its rates, in the mechanism's
-    /// words.
+    /// Returns the unit of coordinate `column` (`order` 0) or of a derivative of it, with the
+    /// mechanism's names.
     pub(crate) fn unit(&self, column: usize, order: usize) -> String {
         self.units.get(column).map(|unit| self.words.text(*unit, order)).unwrap_or_default()
     }
 
-    /// The units of all coordinates.
+    /// Returns the units of all coordinates.
     pub(crate) fn unit_words(&self) -> Vec<String> {
         (0..self.len()).map(|column| self.unit(column, 0)).collect()
     }
 
-    /// Where a body or coordinate stands; `None` if it is not of this mechanism.
+    /// Returns the place of a body or coordinate, or `None` if it belongs to another mechanism.
     pub(crate) fn place(&self, target: &Target) -> Option<Place> {
         match target {
             Target::Planar(body) => self.body(body.mechanism, body.index, Kind::Planar),
@@ -170,7 +170,7 @@ impl Layout {
         }
     }
 
-    /// Where a bare coordinate stands.
+    /// Returns the place of a scalar coordinate.
     pub(crate) fn coordinate(&self, coordinate: &Coordinate) -> Option<Place> {
         match *coordinate {
             Coordinate::Own { mechanism, index } => {
@@ -201,7 +201,7 @@ impl Layout {
         Some(Place::Own { item: index, first: item.first })
     }
 
-    /// The coordinates behind an argument's columns; `None` on the ground.
+    /// Returns the coordinates of the columns of an argument; `None` for a column of the ground.
     pub(crate) fn columns(&self, argument: &Argument) -> Vec<Option<usize>> {
         let first = match self.place(&argument.target) {
             Some(Place::Own { first, .. }) => Some(first),
@@ -210,7 +210,7 @@ impl Layout {
         (0..argument.target.columns()).map(|k| first.map(|first| first + k)).collect()
     }
 
-    /// The error for a value of coordinate `column` that is not finite.
+    /// Builds the error for a value of coordinate `column` that is not finite.
     pub(crate) fn not_finite(&self, column: usize, value: f64) -> Error {
         let name = self.owner(column).map(|item| item.name.clone()).unwrap_or_default();
         Error::InitialNotFinite {
@@ -220,19 +220,19 @@ impl Layout {
         }
     }
 
-    /// The item that coordinate `column` belongs to.
+    /// Returns the item to which coordinate `column` belongs.
     pub(crate) fn owner(&self, column: usize) -> Option<&Item> {
         self.items.get(self.owner_index(column)?)
     }
 
-    /// The index of that item.
+    /// Returns the index of the item to which coordinate `column` belongs.
     pub(crate) fn owner_index(&self, column: usize) -> Option<usize> {
         self.items.partition_point(|item| item.first <= column).checked_sub(1)
     }
 }
 
 impl Place {
-    /// Coordinate `axis` of a body at this place; `value` is the ground's.
+    /// Returns coordinate `axis` of a body at this place; `value` is the coordinate of the ground.
     fn axis(self, axis: usize, value: f64) -> Place {
         match self {
             Place::Ground(_) => Place::Ground(value),

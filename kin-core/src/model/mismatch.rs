@@ -1,45 +1,45 @@
-//! The entries on which routes to a derivative do not agree, as a table to read.
+//! Lists the entries on which the routes to a derivative disagree, as a table.
 
 use std::fmt;
 
 use crate::model::constraint::Route;
 
-/// Lines of a table that are shown at most.
+/// The largest number of lines in a table.
 const SHOWN: usize = 16;
 
-/// The terms of a constraint on which its routes do not agree, at one state.
+/// The terms of a constraint on which its routes disagree, at one state.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Mismatch {
-    /// Kind of the constraint.
+    /// The kind of the constraint.
     pub kind: String,
-    /// The route it takes by itself.
+    /// The route that the constraint takes by default.
     pub route: Route,
-    /// Which state it is.
+    /// A description of the state.
     pub place: String,
     /// The entries that differ, the largest difference first.
     pub entries: Vec<Disagreement>,
-    /// Local coordinates, with their names.
+    /// The local coordinates, with their names.
     pub q: Vec<(String, f64)>,
-    /// Local rates.
+    /// The local velocities.
     pub qd: Vec<f64>,
-    /// Time.   \[s\]
+    /// The time. \[s\]
     pub t: f64,
 }
 
-/// One number of a term, on all routes.
+/// One number of a term, by all routes.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Disagreement {
-    /// Name of the number, such as `C_q[x, crank.theta]`.
+    /// The name of the number, such as `C_q[x, crank.theta]`.
     pub name: String,
-    /// Its value by the constraint itself.
+    /// The value that the constraint returns.
     pub own: f64,
-    /// Its value by dual numbers.
+    /// The value from dual numbers.
     pub dual: f64,
-    /// Its value by central differences, for C, C_q, C_t and Q_d.
+    /// The value from central differences, for C, C_q, C_t and Q_d; `None` for other terms.
     pub central: Option<f64>,
-    /// The difference between the first two, relative to 1 + the largest entry of the term.
+    /// The difference of the first two values, relative to 1 + the largest entry of the term.
     pub difference: f64,
 }
 

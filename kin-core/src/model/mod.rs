@@ -1,5 +1,5 @@
-//! Mechanisms as they are described: coordinates, what a constraint sees and can be asked for,
-//! laws, the equation as data, what can go wrong.
+//! The description of mechanisms: coordinates, constraints and their states, laws, equations as
+//! data, errors.
 
 pub mod blame;
 pub(crate) mod body;

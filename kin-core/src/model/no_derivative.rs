@@ -1,20 +1,20 @@
-//! Why there is no derivative by a parameter.
+//! The error for a parameter without a known derivative.
 
 use crate::model::error::Error;
 
-/// A derivative by a parameter that does not exist, or is not known.
+/// A derivative by a parameter that does not exist, or whose derivative is unknown.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("no derivative by `{by}`: {reason}")]
 #[non_exhaustive]
 pub struct NoDerivative {
     /// The parameter, such as `coupler.length`.
     pub by: String,
-    /// Why, and what to ask instead.
+    /// The reason, and what to use instead.
     pub reason: String,
 }
 
 impl NoDerivative {
-    /// The error for one parameter.
+    /// Builds the error for one parameter.
     pub(crate) fn error(by: &str, reason: impl Into<String>) -> Error {
         Box::new(NoDerivative { by: by.to_string(), reason: reason.into() }).into()
     }

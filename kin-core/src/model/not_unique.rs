@@ -1,10 +1,10 @@
-//! Forces that no balance decides.
+//! Forces that equilibrium does not determine.
 
 use crate::model::error::Error;
 use crate::model::words;
 
-/// A force that is not unique: redundant constraints share it as their stiffness and their play
-/// would have it, and no number is given for it.
+/// A force is not unique: redundant constraints share it according to their stiffness and play, so
+/// Kin returns no number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
     "`{constraint}`: {what} is not unique: {} share it, as their play and stiffness would have it. Ask for a sum \
@@ -18,12 +18,12 @@ pub struct NotUnique {
     pub constraint: String,
     /// The component, such as `F_z on `door``.
     pub what: String,
-    /// The constraints that share it.
+    /// The constraints that share the force.
     pub shared: Vec<String>,
 }
 
 impl NotUnique {
-    /// The error for one force.
+    /// Builds the error for one force.
     pub(crate) fn error(constraint: &str, what: &str, shared: Vec<String>) -> Error {
         Box::new(NotUnique { constraint: constraint.to_string(), what: what.to_string(), shared })
             .into()

@@ -1,14 +1,14 @@
-//! The state of a constraint's arguments at one instant, evaluated once and shared by all
-//! constraints on a body.
+//! The state of a constraint's arguments at one instant. Kin evaluates it once and shares it among
+//! all constraints on a body.
 
 use crate::model::coordinates::Trig;
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 
 pub use crate::numbers::Offsets;
 
-/// State of a planar body: coordinates (R_x, R_y, θ) with sin θ and cos θ.   \[m, rad\]
+/// The state of a planar body: the coordinates (R_x, R_y, θ) with sin θ and cos θ. \[m, rad\]
 ///
-/// `T` is `f64`, or `Real<D>` where a constraint runs on dual numbers.
+/// `T` is `f64`, or `Real<D>` if a constraint runs on dual numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlanarState<T = f64> {
     /// R, the origin of the body frame in the global frame.   \[m\]
@@ -22,44 +22,44 @@ pub struct PlanarState<T = f64> {
 }
 
 impl<T: Scalar> PlanarState<T> {
-    /// The state at coordinates (R_x, R_y, θ).
+    /// Creates the state at the coordinates (R_x, R_y, θ).
     pub fn new(q: [T; 3]) -> Self {
         let (sin, cos) = q[2].sin_cos();
         PlanarState { r: Vec2::new(q[0], q[1]), theta: q[2], sin, cos }
     }
 
-    /// The state of the ground: the global frame itself.
+    /// Creates the state of the ground: the global frame.
     pub fn ground() -> Self {
         let zero = T::from(0.0);
         let one = T::from(1.0);
         PlanarState { r: Vec2::new(zero, zero), theta: zero, sin: zero, cos: one }
     }
 
-    /// A = [cos θ, −sin θ; sin θ, cos θ], body to global (lecture, "Transformation 2").
+    /// Returns A = [cos θ, −sin θ; sin θ, cos θ], body to global (lecture, "Transformation 2").
     pub fn a(&self) -> Mat2<T> {
         Mat2::new(self.cos, -self.sin, self.sin, self.cos)
     }
 
-    /// r_P = R + A ū, global position of the point with local position ū.   \[m\]
+    /// Returns r_P = R + A ū, the global position of the point with local position ū. \[m\]
     pub fn point(&self, u: impl Into<Vec2<T>>) -> Vec2<T> {
         self.r + self.direction(u)
     }
 
-    /// h = A h̄, global components of a direction fixed in the body.
+    /// Returns h = A h̄, the global components of a direction fixed in the body.
     pub fn direction(&self, h: impl Into<Vec2<T>>) -> Vec2<T> {
         let h = h.into();
         Vec2::new(self.cos * h.x - self.sin * h.y, self.sin * h.x + self.cos * h.y)
     }
 
-    /// ū = Aᵀ (p − R), local position of the global point p.   \[m\]
+    /// Returns ū = Aᵀ (p − R), the local position of the global point p. \[m\]
     pub fn local(&self, p: impl Into<Vec2<T>>) -> Vec2<T> {
         let d = p.into() - self.r;
         Vec2::new(self.cos * d.x + self.sin * d.y, self.cos * d.y - self.sin * d.x)
     }
 }
 
-/// State of a spatial body: coordinates (R, e0, e1, e2, e3) with the rotation matrix A(p).   \[m,
-/// –\]
+/// The state of a spatial body: the coordinates (R, e0, e1, e2, e3) with the rotation matrix A(p).
+/// \[m, –\]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialState<T = f64> {
     /// R, the origin of the body frame in the global frame.   \[m\]
@@ -71,61 +71,61 @@ pub struct SpatialState<T = f64> {
 }
 
 impl<T: Scalar> SpatialState<T> {
-    /// The state at coordinates (R_x, R_y, R_z, e0, e1, e2, e3).
+    /// Creates the state at the coordinates (R_x, R_y, R_z, e0, e1, e2, e3).
     pub fn new(q: [T; 7]) -> Self {
         let p = EulerParameters::new(q[3], q[4], q[5], q[6]);
         SpatialState { r: Vec3::new(q[0], q[1], q[2]), p, a: p.rotation() }
     }
 
-    /// The state of the ground: the global frame itself.
+    /// Creates the state of the ground: the global frame.
     pub fn ground() -> Self {
         let zero = T::from(0.0);
         let one = T::from(1.0);
         Self::new([zero, zero, zero, one, zero, zero, zero])
     }
 
-    /// A(p), body to global.
+    /// Returns A(p), body to global.
     pub fn a(&self) -> Mat3<T> {
         self.a
     }
 
-    /// r_P = R + A ū, global position of the point with local position ū.   \[m\]
+    /// Returns r_P = R + A ū, the global position of the point with local position ū. \[m\]
     pub fn point(&self, u: impl Into<Vec3<T>>) -> Vec3<T> {
         self.r + self.a * u.into()
     }
 
-    /// h = A h̄, global components of a direction fixed in the body.
+    /// Returns h = A h̄, the global components of a direction fixed in the body.
     pub fn direction(&self, h: impl Into<Vec3<T>>) -> Vec3<T> {
         self.a * h.into()
     }
 
-    /// ū = Aᵀ (p − R), local position of the global point p.   \[m\]
+    /// Returns ū = Aᵀ (p − R), the local position of the global point p. \[m\]
     pub fn local(&self, p: impl Into<Vec3<T>>) -> Vec3<T> {
         self.a.transpose() * (p.into() - self.r)
     }
 }
 
-/// State of a bare coordinate; sine and cosine only where a constraint asks for them.   \[m or
+/// The state of a scalar coordinate, with sine and cosine only if a constraint reads them. \[m or
 /// rad\]
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordState {
     /// The value of the coordinate.
     pub value: f64,
-    /// sin of the value, if some constraint on it needs it (else 0).
+    /// sin of the value if a constraint reads it, otherwise 0.
     pub sin: f64,
-    /// cos of the value, if some constraint on it needs it (else 0).
+    /// cos of the value if a constraint reads it, otherwise 0.
     pub cos: f64,
 }
 
 impl CoordState {
-    /// The state at `value`, with sine and cosine where they are used.
+    /// Creates the state at `value`, with sine and cosine if they are used.
     pub fn new(value: f64, trig: Trig) -> Self {
         let (sin, cos) = if trig == Trig::Used { value.sin_cos() } else { (0.0, 0.0) };
         CoordState { value, sin, cos }
     }
 }
 
-/// Rates of a planar body: (Ṙ_x, Ṙ_y, θ̇).   \[m/s, rad/s\]
+/// The velocities of a planar body: (Ṙ_x, Ṙ_y, θ̇). \[m/s, rad/s\]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PlanarRate {
     /// Ṙ   \[m/s\]
@@ -134,7 +134,7 @@ pub struct PlanarRate {
     pub theta: f64,
 }
 
-/// Rates of a spatial body: (Ṙ, ė0, ė1, ė2, ė3).   \[m/s, 1/s\]
+/// The velocities of a spatial body: (Ṙ, ė0, ė1, ė2, ė3). \[m/s, 1/s\]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SpatialRate {
     /// Ṙ   \[m/s\]
@@ -143,15 +143,15 @@ pub struct SpatialRate {
     pub p: [f64; 4],
 }
 
-/// How many numbers the state of an argument is.
+/// The number of values in the state of a planar body.
 pub const PLANAR_STATE: usize = 5;
-/// How many numbers the state of an argument is.
+/// The number of values in the state of a spatial body.
 pub const SPATIAL_STATE: usize = 7;
-/// How many numbers the state of an argument is.
+/// The number of values in the state of a scalar coordinate.
 pub const COORD_STATE: usize = 3;
 
 impl PlanarState {
-    /// (R_x, R_y, θ, sin θ, cos θ), as a constraint reads it.
+    /// Returns (R_x, R_y, θ, sin θ, cos θ), the layout that a constraint reads.
     pub fn to_array(&self) -> [f64; PLANAR_STATE] {
         [self.r.x, self.r.y, self.theta, self.sin, self.cos]
     }
@@ -162,8 +162,8 @@ impl PlanarState {
 }
 
 impl SpatialState {
-    /// (R, e0..e3), as a constraint reads it: A is not kept, what a constraint needs of it is
-    /// cheaper from p.
+    /// Returns (R, e0..e3), the layout that a constraint reads. A is not included, because
+    /// computing the needed parts from p is cheaper.
     pub fn to_array(&self) -> [f64; SPATIAL_STATE] {
         let r = self.r;
         let p = self.p;
@@ -172,20 +172,19 @@ impl SpatialState {
 }
 
 impl CoordState {
-    /// (value, sine, cosine), as a constraint reads it.
+    /// Returns (value, sine, cosine), the layout that a constraint reads.
     pub fn to_array(&self) -> [f64; COORD_STATE] {
         [self.value, self.sin, self.cos]
     }
 }
 
-/// The instant as one constraint sees it: time, and the states of its own arguments.
+/// The instant at which a constraint is evaluated: the time and the states of its arguments.
 ///
-/// States are evaluated once an iterate and shared by all constraints on a body, and by everything
-/// that they are asked for. Arguments count by their position in the signature; a `[Coord; N]`
-/// counts as N arguments.
+/// Kin evaluates states once for each iterate. All constraints on a body and all their terms share
+/// them. Arguments count by their position in the signature; a `[Coord; N]` counts as N arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
-    /// Time t.   \[s\]
+    /// The time t. \[s\]
     pub t: f64,
     states: &'a [f64],
     arguments: &'a [Offsets],
@@ -193,42 +192,43 @@ pub struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// Time t, the states of all bodies ([`PlanarState::to_array`] and the like), and where each
-    /// argument's begin.
+    /// Creates the instant from the time, the states of all bodies ([`PlanarState::to_array`] and
+    /// similar) and the place of each argument in them.
     #[inline]
     pub fn new(t: f64, states: &'a [f64], arguments: &'a [Offsets]) -> Self {
         At { t, states, arguments, timed: &[] }
     }
 
-    /// The same with what [`crate::Constraint::at_time`] has made of the time; constraints make it
-    /// themselves where it is not there.
+    /// Adds the numbers that [`crate::Constraint::at_time`] has computed from the time. Without
+    /// them constraints compute these numbers themselves.
     #[must_use]
     #[inline]
     pub fn with_timed(self, timed: &'a [f64]) -> Self {
         At { timed, ..self }
     }
 
-    /// Turns to another constraint at the same instant.
+    /// Switches to another constraint at the same instant.
     #[inline(always)]
     pub(crate) fn turn(&mut self, arguments: &'a [Offsets], timed: &'a [f64]) {
         (self.arguments, self.timed) = (arguments, timed);
     }
 
-    /// The values that the constraint has computed from the time alone, if it was asked to.
+    /// Returns the values that the constraint has computed from the time alone, if they are
+    /// present.
     #[inline]
     pub fn timed(&self) -> &'a [f64] {
         self.timed
     }
 
-    /// The N numbers of the state of argument `k`, for emitted code.
+    /// Returns the N numbers of the state of argument `k`, for compiled code.
     #[doc(hidden)]
     #[inline(always)]
     pub fn state<const N: usize>(&self, k: usize) -> Option<&'a [f64; N]> {
         numbers(self.states, self.arguments.get(k)?.state)
     }
 
-    /// The n coordinates of argument `k`, with which its state begins; none if there is no such
-    /// argument.
+    /// Returns the n coordinates of argument `k`, with which its state begins, or an empty slice if
+    /// there is no such argument.
     pub(crate) fn coordinates(&self, k: usize, n: usize) -> &'a [f64] {
         self.arguments
             .get(k)
@@ -236,24 +236,27 @@ impl<'a> At<'a> {
             .unwrap_or_default()
     }
 
-    /// State of argument `k`, a planar body; the ground's if there is no such argument.
+    /// Returns the state of argument `k`, a planar body, or the state of the ground if there is no
+    /// such argument.
     pub fn planar(&self, k: usize) -> PlanarState {
         self.state(k).copied().map_or_else(PlanarState::ground, PlanarState::from_array)
     }
 
-    /// State of argument `k`, a spatial body; the ground's if there is no such argument.
+    /// Returns the state of argument `k`, a spatial body, or the state of the ground if there is no
+    /// such argument.
     pub fn spatial(&self, k: usize) -> SpatialState {
         self.state(k).copied().map_or_else(SpatialState::ground, SpatialState::new)
     }
 
-    /// State of argument `k`, a bare coordinate; zero if there is no such argument.
+    /// Returns the state of argument `k`, a scalar coordinate, or zero if there is no such
+    /// argument.
     pub fn coord(&self, k: usize) -> CoordState {
         let [value, sin, cos] = self.state(k).copied().unwrap_or([0.0, 0.0, 1.0]);
         CoordState { value, sin, cos }
     }
 }
 
-/// The rates of one constraint's arguments.
+/// The velocities (or higher derivatives) of the arguments of one constraint.
 #[derive(Clone, Copy, Debug)]
 pub struct Rates<'a> {
     rates: &'a [f64],
@@ -261,20 +264,20 @@ pub struct Rates<'a> {
 }
 
 impl<'a> Rates<'a> {
-    /// The rates of all coordinates, and where each argument's begin.
+    /// Creates them from the derivatives of all coordinates and the place of each argument in them.
     #[inline]
     pub fn new(rates: &'a [f64], arguments: &'a [Offsets]) -> Self {
         Rates { rates, arguments }
     }
 
-    /// The N rates of argument `k`, for emitted code.
+    /// Returns the N derivatives of argument `k`, for compiled code.
     #[doc(hidden)]
     #[inline(always)]
     pub fn of<const N: usize>(&self, k: usize) -> Option<&'a [f64; N]> {
         numbers(self.rates, self.arguments.get(k)?.rates)
     }
 
-    /// The n rates of argument `k`; none if there is no such argument.
+    /// Returns the n derivatives of argument `k`, or an empty slice if there is no such argument.
     pub(crate) fn columns(&self, k: usize, n: usize) -> &'a [f64] {
         self.arguments
             .get(k)
@@ -282,25 +285,29 @@ impl<'a> Rates<'a> {
             .unwrap_or_default()
     }
 
-    /// Rates of argument `k`, a planar body; zero if there is no such argument.
+    /// Returns the derivatives of argument `k`, a planar body, or zero if there is no such
+    /// argument.
     pub fn planar(&self, k: usize) -> PlanarRate {
         let [x, y, theta] = self.of(k).copied().unwrap_or_default();
         PlanarRate { r: [x, y], theta }
     }
 
-    /// Rates of argument `k`, a spatial body; zero if there is no such argument.
+    /// Returns the derivatives of argument `k`, a spatial body, or zero if there is no such
+    /// argument.
     pub fn spatial(&self, k: usize) -> SpatialRate {
         let [x, y, z, e0, e1, e2, e3] = self.of(k).copied().unwrap_or_default();
         SpatialRate { r: [x, y, z], p: [e0, e1, e2, e3] }
     }
 
-    /// Rate of argument `k`, a bare coordinate; zero if there is no such argument.
+    /// Returns the derivative of argument `k`, a scalar coordinate, or zero if there is no such
+    /// argument.
     pub fn coord(&self, k: usize) -> f64 {
         self.of(k).map_or(0.0, |&[rate]| rate)
     }
 }
 
-/// The N numbers that begin there (32 bits: the end does not overflow, so one check will do).
+/// Returns the N numbers from index `begin` on. `begin` has 32 bits, so the end does not overflow
+/// and one check suffices.
 #[inline(always)]
 fn numbers<const N: usize>(all: &[f64], begin: u32) -> Option<&[f64; N]> {
     all.get(begin as usize..begin as usize + N)?.first_chunk()

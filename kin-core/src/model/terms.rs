@@ -1,5 +1,5 @@
-//! Every term of one constraint at one state, by name: for comparing routes, and with a derivation
-//! by hand.
+//! Every term of one constraint at one state, by name, to compare routes with each other or with a
+//! derivation by hand.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -8,28 +8,28 @@ use crate::model::coordinates::{Argument, Target, Trig};
 use crate::model::dual_route::{self, Equation};
 use crate::model::state::{At, CoordState, Offsets, PlanarState, Rates, SpatialState};
 
-/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint;
+/// Every term of C(q, t) and its derivatives at one state. Columns are local to the constraint, and
 /// units are those of the row.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Terms {
-    /// C(q, t), m.
+    /// C(q, t), length m.
     pub c: DVector<f64>,
     /// C_q, m × n, zero outside the pattern.
     pub c_q: DMatrix<f64>,
-    /// C_t, m.
+    /// C_t, length m.
     pub c_t: DVector<f64>,
-    /// (C_q q̇)_q q̇, m.
+    /// (C_q q̇)_q q̇, length m.
     pub c_qqd_qd: DVector<f64>,
-    /// C_qt q̇, m.
+    /// C_qt q̇, length m.
     pub c_qt_qd: DVector<f64>,
-    /// C_tt, m.
+    /// C_tt, length m.
     pub c_tt: DVector<f64>,
-    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, m.
+    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, length m.
     pub q_d: DVector<f64>,
 }
 
 impl Terms {
-    /// True if every entry of every term is finite.
+    /// Returns true if every entry of every term is finite.
     pub fn is_finite(&self) -> bool {
         let vectors = [&self.c, &self.c_t, &self.c_qqd_qd, &self.c_qt_qd, &self.c_tt, &self.q_d];
         vectors.iter().all(|v| v.iter().all(|x| x.is_finite()))
@@ -37,13 +37,13 @@ impl Terms {
     }
 }
 
-/// Every term of `constraint` at local coordinates `q`, rates `qd` and time `t`, on the
-/// constraint's own route.
+/// Returns every term of `constraint` at local coordinates `q`, velocities `qd` and time `t`, on
+/// the route of the constraint.
 ///
-/// From r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]: −r(q̇, 0) is the first term,
-/// −r(0, 1) the last, and the mixed one is what is left of r(q̇, 1), exact to rounding of the
-/// largest of the three. `q` and `qd` are the arguments' coordinates one after the other; missing
-/// ones count as zero.
+/// The terms come from r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]. −r(q̇, 0) is the
+/// first term and −r(0, 1) the last. The mixed term is the remainder of r(q̇, 1), exact to rounding
+/// of the largest of the three. `q` and `qd` contain the coordinates of the arguments in order;
+/// missing numbers count as zero.
 pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
     let arguments = constraint.arguments();
     let facts = constraint.facts();
@@ -79,7 +79,8 @@ pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Term
     Terms { c, c_q, c_t, c_qqd_qd, c_qt_qd, c_tt, q_d }
 }
 
-/// Every term on the dual route, each by its own kind of number: the mixed term by `HyperDual64`.
+/// Returns every term on the dual route, each by its kind of dual number: the mixed term by
+/// `HyperDual64`.
 pub fn dual_terms<E, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64],
@@ -96,8 +97,10 @@ where
     all
 }
 
-/// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, for the jerk; `None`
-/// where the constraint does not know it.   \[row/s³\]
+/// Returns −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), the right side of C_q q⃛ for the jerk.
+/// \[row/s³\]
+///
+/// Returns `None` if the constraint does not know it.
 pub fn jerk_rhs(
     constraint: &dyn Constraint,
     q: &[f64],
@@ -114,8 +117,8 @@ pub fn jerk_rhs(
         .then_some(rhs)
 }
 
-/// The coordinates of one constraint at one time of a motion, its arguments' one after the other,
-/// and their rates. Missing numbers count as zero.
+/// The coordinates of one constraint and their derivatives at one time of a motion, argument after
+/// argument. Missing numbers count as zero.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Moving<'a> {
     /// q   \[m, rad\]
@@ -128,8 +131,8 @@ pub struct Moving<'a> {
     pub qddd: &'a [f64],
 }
 
-/// Measure k of a constraint ([`Facts::measures`](crate::constraint::Facts::measures)) and its
-/// first three derivatives at time t of a motion.
+/// Returns measure k of a constraint ([`Facts::measures`](crate::constraint::Facts::measures)) and
+/// its first three derivatives at time t of a motion.
 pub fn measure(constraint: &dyn Constraint, k: usize, moving: Moving<'_>, t: f64) -> [f64; 4] {
     let arguments = constraint.arguments();
     let Moving { q, qd, qdd, qddd } = moving;
@@ -137,11 +140,11 @@ pub fn measure(constraint: &dyn Constraint, k: usize, moving: Moving<'_>, t: f64
     constraint.measure(k, &first.at(t), &[first.rates(), second.rates(), third.rates()])
 }
 
-/// The states and rates of one constraint's arguments, standing alone.
+/// The states and velocities of the arguments of a single constraint.
 pub(crate) struct Local {
     pub states: Vec<f64>,
     pub rates: Vec<f64>,
-    /// Where each argument's state and its rates begin.
+    /// The place of the state and of the velocities of each argument.
     pub arguments: Vec<Offsets>,
 }
 

@@ -1,22 +1,22 @@
-//! The words for the units of length, time and mass, as files, pages and messages write them.
+//! The names of the units of length, time and mass in files, pages and messages.
 
 use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-/// Units of mass, length and time as powers of ten of kilogram, metre and second.
+/// Names of units of mass, length and time, with their powers of ten of kilogram, metre and second.
 const MASSES: [(&str, i32); 4] = [("kg", 0), ("g", -3), ("t", 3), ("mg", -6)];
 const LENGTHS: [(&str, i32); 7] =
     [("m", 0), ("dm", -1), ("cm", -2), ("mm", -3), ("um", -6), ("µm", -6), ("km", 3)];
 const TIMES: [(&str, i32); 4] = [("s", 0), ("ms", -3), ("us", -6), ("µs", -6)];
 
-/// Others, which are told from one another alone.
+/// Other units of length, which Kin only distinguishes from each other.
 const OTHER_LENGTHS: [&str; 4] = ["in", "inch", "ft", "yd"];
 const OTHER_TIMES: [&str; 4] = ["min", "h", "sec", "second"];
 const OTHER_MASSES: [&str; 4] = ["lb", "lbm", "slug", "oz"];
 const FORCES: [&str; 6] = ["N", "mN", "kN", "MN", "lbf", "kgf"];
 
-/// Unit of a coordinate.
+/// The kind of unit of a coordinate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Unit {
     /// A length.   \[m\]
@@ -27,13 +27,13 @@ pub enum Unit {
     One,
 }
 
-/// The words for the units of length, time and mass; angles are in radians. Nothing is converted:
-/// Kin computes in any consistent set of units.
+/// The names of the units of length, time and mass; angles are in radians. Kin converts nothing and
+/// computes in any consistent set of units.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(from = "Words", into = "Words")]
 pub struct Units(Arc<Words>);
 
-/// The words as they stand in a file.
+/// The names as a file contains them.
 #[derive(Clone, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 struct Words {
     length: String,
@@ -63,49 +63,51 @@ impl From<Units> for Words {
 }
 
 impl Default for Units {
-    /// Metre and second.
+    /// Returns metre and second.
     fn default() -> Self {
         Units::new("m", "s")
     }
 }
 
 impl Units {
-    /// The words, without blanks around them.
+    /// Creates the names, without surrounding blanks.
     pub fn new(length: &str, time: &str) -> Units {
         let length = length.trim().to_string();
         let time = time.trim().to_string();
         Units(Arc::new(Words { length, time, mass: kilogram() }))
     }
 
-    /// The same with another word for the unit of mass.
+    /// Returns the units with another name for the unit of mass.
     #[must_use]
     pub fn with_mass(&self, mass: &str) -> Units {
         Units(Arc::new(Words { mass: mass.trim().to_string(), ..self.0.as_ref().clone() }))
     }
 
-    /// The word for the unit of length, such as `mm`.
+    /// Returns the name of the unit of length, such as `mm`.
     pub fn length(&self) -> &str {
         &self.0.length
     }
 
-    /// The word for the unit of time, such as `s`.
+    /// Returns the name of the unit of time, such as `s`.
     pub fn time(&self) -> &str {
         &self.0.time
     }
 
-    /// The word for the unit of mass, such as `kg`.
+    /// Returns the name of the unit of mass, such as `kg`.
     pub fn mass(&self) -> &str {
         &self.0.mass
     }
 
-    /// The unit of force, such as `N`; of millimetre, second and kilogram `mN`, of millimetre,
-    /// second and tonne `N`; of words that are not known `MASS LENGTH/TIME^2`.
+    /// Returns the unit of force, such as `N`.
+    ///
+    /// It is `mN` for millimetre, second and kilogram, and `N` for millimetre, second and tonne.
+    /// For unknown names it is `MASS LENGTH/TIME^2`.
     pub fn force(&self) -> String {
         self.newtons()
             .unwrap_or_else(|| format!("{} {}/{}^2", self.mass(), self.length(), self.time()))
     }
 
-    /// The unit of torque, such as `N m`, `mN mm`.
+    /// Returns the unit of torque, such as `N m` or `mN mm`.
     pub fn torque(&self) -> String {
         match self.newtons() {
             Some(force) => format!("{force} {}", self.length()),
@@ -113,26 +115,28 @@ impl Units {
         }
     }
 
-    /// The unit of energy, such as `J`, `kJ`; of millimetre, second and tonne `mJ`; of words that
-    /// are not known that of torque.
+    /// Returns the unit of energy, such as `J` or `kJ`.
+    ///
+    /// It is `mJ` for millimetre, second and tonne. For unknown names it is the unit of torque.
     pub fn energy(&self) -> String {
         self.prefixed([1, 2, -2], "J").unwrap_or_else(|| self.torque())
     }
 
-    /// The unit of power, such as `W`, `kW`; of millimetre, second and tonne `mW`; of words that
-    /// are not known `MASS LENGTH^2/TIME^3`.
+    /// Returns the unit of power, such as `W` or `kW`.
+    ///
+    /// It is `mW` for millimetre, second and tonne. For unknown names it is `MASS LENGTH^2/TIME^3`.
     pub fn power(&self) -> String {
         self.prefixed([1, 2, -3], "W")
             .unwrap_or_else(|| format!("{} {}^2/{}^3", self.mass(), self.length(), self.time()))
     }
 
-    /// Newton with its prefix.
+    /// Returns newton with its prefix.
     fn newtons(&self) -> Option<String> {
         self.prefixed([1, 1, -2], "N")
     }
 
-    /// A unit of the SI with the prefix that these powers of mass, length and time make of it;
-    /// `None` of words that are not known, and where there is no prefix.
+    /// Returns an SI unit with the prefix that follows from these powers of mass, length and time.
+    /// Returns `None` for unknown names, or if there is no such prefix.
     fn prefixed(&self, powers: [i32; 3], unit: &str) -> Option<String> {
         let mass = power_of_ten(self.mass(), &MASSES)?;
         let length = power_of_ten(self.length(), &LENGTHS)?;
@@ -146,19 +150,19 @@ impl Units {
             .map(|(prefix, _)| format!("{prefix}{unit}"))
     }
 
-    /// The power of ten of metres by seconds squared that the unit of acceleration is; `None` of
-    /// words that are not known.
+    /// Returns the power of ten of the unit of acceleration in m/s². Returns `None` for unknown
+    /// names.
     pub(crate) fn of_acceleration(&self) -> Option<i32> {
         Some(power_of_ten(self.length(), &LENGTHS)? - 2 * power_of_ten(self.time(), &TIMES)?)
     }
 
-    /// True if a word is known for a unit of length.
+    /// Returns true if the word is a known unit of length.
     pub(crate) fn is_length(word: &str) -> bool {
         power_of_ten(word, &LENGTHS).is_some() || OTHER_LENGTHS.contains(&word)
     }
 
-    /// A word that is the unit of another quantity: which unit it should be, the word, and the
-    /// quantity.
+    /// Returns a word that is the unit of another quantity: which unit it should be, the word, and
+    /// the other quantity.
     pub(crate) fn misplaced(&self) -> Option<(&'static str, &str, &'static str)> {
         let of = |word: &str| {
             let known = |all: &[(&str, i32)], others: &[&str]| {
@@ -179,12 +183,12 @@ impl Units {
         all.into_iter().find_map(wrong)
     }
 
-    /// True if the units are metre and second.
+    /// Returns true if the units are metre and second.
     pub(crate) fn is_default(&self) -> bool {
         *self == Units::default()
     }
 
-    /// Which of the two has no word, if one has none.
+    /// Returns which of length and time has no name, if one has none.
     pub(crate) fn missing(&self) -> Option<&'static str> {
         if self.length().is_empty() {
             Some("unit of length")
@@ -197,7 +201,7 @@ impl Units {
         }
     }
 
-    /// The unit of a coordinate (`order` 0) and of its rates, such as `mm/s^2`.
+    /// Returns the unit of a coordinate (`order` 0) or of its derivatives, such as `mm/s^2`.
     pub(crate) fn text(&self, unit: Unit, order: usize) -> String {
         match unit {
             Unit::Metre => self.rate(self.length(), order),
@@ -206,7 +210,7 @@ impl Units {
         }
     }
 
-    /// The unit of a rate of something in `unit`; of what has none (`-`) it is `1/s`.
+    /// Returns the unit of a derivative of a quantity in `unit`; without a unit (`-`) it is `1/s`.
     pub(crate) fn rate(&self, unit: &str, order: usize) -> String {
         let unit = match (unit, order) {
             (unit, 0) => return unit.to_string(),
@@ -217,8 +221,8 @@ impl Units {
         format!("{unit}/{}{power}", self.time())
     }
 
-    /// A unit that a constraint tells in metres and seconds (`m`, `m/s`, `1/m`), in these words;
-    /// other words stay.
+    /// Converts a unit in metres and seconds (`m`, `m/s`, `1/m`) to these names. Other words
+    /// remain.
     pub(crate) fn in_own_words(&self, unit: &str) -> String {
         let word = |word: &str| match word {
             "m" => self.length().to_string(),

@@ -1,4 +1,4 @@
-//! Numbers, times and lists of names as messages write them.
+//! Writes numbers, times and lists of names for messages.
 
 use crate::model::units::Units;
 
@@ -15,7 +15,7 @@ pub(crate) fn bytes(n: f64) -> String {
     format!("{:.digits$} {unit}", n / size)
 }
 
-/// A time to nine digits, without the noise of binary fractions.
+/// Rounds a time to nine digits, without the noise of binary fractions.
 pub(crate) fn time(t: f64) -> f64 {
     format!("{t:.8e}").parse().unwrap_or(t)
 }

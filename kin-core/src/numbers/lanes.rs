@@ -1,8 +1,8 @@
-//! Numbers over the lanes of SIMD registers: several times of a run at once.
+//! Numbers over the lanes of SIMD registers: one operation computes several times of a run.
 //!
-//! `pulp` finds out at run time what the machine has (AVX-512: 8 lanes, AVX2 with FMA: 4, Neon: 2)
-//! and holds whatever is unsafe about it: its tokens exist only where the instructions do. Code is
-//! generic over the token.
+//! The crate `pulp` finds out at run time which registers the machine has (AVX-512: 8 lanes, AVX2
+//! with FMA: 4, Neon: 2) and contains the unsafe code: a token of `pulp` exists only where the
+//! machine has the instructions. The code here is generic over the token.
 
 pub(crate) mod lanewise;
 mod level;
@@ -18,34 +18,35 @@ use std::sync::OnceLock;
 /// The environment variable that limits lanes: see [`Lanes`].
 const VARIABLE: &str = "KIN_LANES";
 
-/// Its values: how many times are computed at once, in two registers of half as many lanes.
+/// The values of the variable: the number of times that are computed at once in two registers, and
+/// the lanes of one register.
 const VALUES: [(&str, usize); 4] = [("16", 8), ("8", 4), ("4", 2), ("off", 0)];
 
 /// The registers in which a program computes many times of a run, or of each case of a sweep, at
-/// once: two of them.
+/// once.
 ///
-/// The environment variable `KIN_LANES` limits all of them, for tests of what another machine would
-/// compute: `16`, `8` or `4` times at once at most, or `off`. Any other value is an error of the
-/// run.
+/// A program uses two registers. The environment variable `KIN_LANES` limits the registers, for
+/// tests that need the results of another machine: `16`, `8` or `4` times at once at most, or
+/// `off`. Any other value is an error of the run.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lanes {
-    /// The widest that the machine has.
+    /// The widest registers of the machine.
     #[default]
     Best,
-    /// None: plain steps, one time after the other.
+    /// No registers: plain steps, one time after the other.
     Off,
-    /// Registers of so many lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon, or half registers of
-    /// AVX2).
+    /// Registers with this number of lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon, or half
+    /// registers of AVX2).
     Only(usize),
 }
 
-/// Something that is done with the widest lanes, or with those that are asked for.
+/// A task that runs with the widest lanes or with the selected ones.
 pub(crate) trait WithLevel {
     type Output;
     fn run<S: Level>(self, simd: S) -> Self::Output;
 }
 
-/// Nothing, to find out whether there are lanes.
+/// An empty task, which finds out whether the machine has the lanes.
 struct Nothing;
 
 impl WithLevel for Nothing {
@@ -55,13 +56,13 @@ impl WithLevel for Nothing {
 }
 
 impl Lanes {
-    /// True if the machine has the lanes that are meant.
+    /// Returns true if the machine has the selected lanes.
     pub(crate) fn are_there(self) -> bool {
         self.dispatch(Nothing).is_ok()
     }
 
-    /// Does it with the lanes that are meant; gives it back where the machine does not have them,
-    /// or none are wanted.
+    /// Runs the task with the selected lanes. The function returns the task as the error if the
+    /// machine does not have the lanes, or if the selection is [`Lanes::Off`].
     pub(crate) fn dispatch<W: WithLevel>(self, work: W) -> Result<W::Output, W> {
         let most = limit().as_ref().map_or(0, |most| *most);
         let wanted =
@@ -87,8 +88,8 @@ impl Lanes {
     }
 }
 
-/// The most lanes of a register that the environment allows, as it was when lanes were first
-/// chosen; what is wrong with the variable, if something is.
+/// Returns the largest number of lanes of a register that the environment allows, or the error in
+/// the variable. The first call reads the variable; later calls return the same.
 pub(crate) fn limit() -> &'static Result<usize, String> {
     static LIMIT: OnceLock<Result<usize, String>> = OnceLock::new();
     LIMIT.get_or_init(|| {
@@ -97,7 +98,7 @@ pub(crate) fn limit() -> &'static Result<usize, String> {
     })
 }
 
-/// The same for a value of the variable.
+/// Returns the limit for one value of the variable.
 fn limit_of(value: &str) -> Result<usize, String> {
     let known = VALUES.iter().find(|(name, _)| *name == value).map(|(_, lanes)| *lanes);
     known.ok_or_else(|| {

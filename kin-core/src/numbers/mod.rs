@@ -1,5 +1,5 @@
 //! Numbers: vectors and matrices, numbers that carry derivatives, lanes of SIMD registers, padded
-//! vectors, bounds. Nothing here knows mechanisms.
+//! vectors, bounds. No module here knows mechanisms.
 
 pub mod algebra;
 pub(crate) mod enclosure;

@@ -1,5 +1,5 @@
-//! Vectors in whole fours, and the few loops over them that every step takes: no loop has an odd
-//! end to look after, which would cost short vectors more than the work itself.
+//! Vectors in groups of four, and the few loops over them that every step uses. No loop has a
+//! remainder, which would cost a short vector more time than the work itself.
 
 use std::ops::{Deref, DerefMut};
 
@@ -7,10 +7,10 @@ use wide::f64x4;
 
 use super::lanes::lanewise::misses;
 
-/// Quad numbers that are computed together.
+/// Four numbers that are computed together.
 pub(crate) type Quad = [f64; 4];
 
-/// n numbers in whole fours; those beyond n stay zero.
+/// A vector of n numbers in groups of four; the numbers beyond n stay zero.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Padded {
     n: usize,
@@ -18,14 +18,14 @@ pub(crate) struct Padded {
 }
 
 impl Padded {
-    /// n times x.
+    /// Makes n numbers of value x.
     pub(crate) fn new(n: usize, x: f64) -> Self {
         let mut all = Padded { n, quads: vec![[0.0; 4]; n.div_ceil(4)] };
         all.fill(x);
         all
     }
 
-    /// All of them, with the zeros at the end.
+    /// Returns all numbers, with the zeros at the end.
     pub(crate) fn whole(&self) -> &[Quad] {
         &self.quads
     }
@@ -66,7 +66,7 @@ impl<'a> IntoIterator for &'a Padded {
     }
 }
 
-/// x = −y; the largest |y|, infinite if a number is not finite.
+/// Sets x = −y; returns the largest |y|, or ∞ if a number is not finite.
 #[inline]
 pub(crate) fn oppose(x: &mut [Quad], y: &[Quad]) -> f64 {
     let mut seen = Seen::default();
@@ -78,21 +78,22 @@ pub(crate) fn oppose(x: &mut [Quad], y: &[Quad]) -> f64 {
     seen.largest()
 }
 
-/// The largest |x_i| · share_i of finite shares, 0 of none; infinite if a number is not finite.
+/// Returns the largest |x_i| · share_i over finite shares, or 0 if there is none; returns ∞ if a
+/// number is not finite.
 pub(crate) fn largest_share(x: &[Quad], shares: &[Quad]) -> f64 {
     let mut seen = Seen::default();
     each(x, shares, |four, shares| seen.see(f64x4::new(*four) * f64x4::new(*shares)));
     seen.largest()
 }
 
-/// The largest |x_i|; infinite if a number is not finite.
+/// Returns the largest |x_i|, or ∞ if a number is not finite.
 pub(crate) fn largest(x: &[Quad]) -> f64 {
     let mut seen = Seen::default();
     x.iter().for_each(|four| seen.see(f64x4::new(*four)));
     seen.largest()
 }
 
-/// True if |x_i| ≤ limit_i everywhere.
+/// Returns true if |x_i| ≤ limit_i everywhere.
 #[inline]
 pub(crate) fn inside(x: &[Quad], limits: &[Quad]) -> bool {
     let mut all = f64x4::ZERO.simd_eq(f64x4::ZERO);
@@ -100,7 +101,7 @@ pub(crate) fn inside(x: &[Quad], limits: &[Quad]) -> bool {
     all.all()
 }
 
-/// x = y; whether all numbers are finite.
+/// Sets x = y; returns true if all numbers are finite.
 #[inline]
 pub(crate) fn take(x: &mut [Quad], y: &[Quad]) -> bool {
     let mut odd = f64x4::ZERO;
@@ -111,20 +112,20 @@ pub(crate) fn take(x: &mut [Quad], y: &[Quad]) -> bool {
     odd.reduce_add() == 0.0
 }
 
-/// x = y
+/// Sets x = y.
 pub(crate) fn copy(x: &mut [Quad], y: &[Quad]) {
     each_mut(x, y, |x, y| *x = *y);
 }
 
-/// x += y
+/// Sets x += y.
 #[inline]
 pub(crate) fn add(x: &mut [Quad], y: &[Quad]) {
     each_mut(x, y, |x, y| *x = (f64x4::new(*x) + f64x4::new(*y)).to_array());
 }
 
-/// How far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, by shares, and how
-/// far the ends are apart, by `turns`; the largest of each. Where something is not a number the
-/// first is none either: the larger of two numbers says nothing of that.
+/// Returns how far q + h q̇ + ½ h² q̈ from either end of a step h is from the other end, weighted
+/// by shares, and how far the ends are apart, weighted by `turns`; the largest of each. If a value
+/// is NaN, the first result is NaN too, which the larger of two numbers alone would hide.
 pub(crate) fn miss(
     h: f64,
     from: [&Padded; 3],
@@ -153,9 +154,9 @@ pub(crate) fn miss(
     [if all.reduce_add().is_nan() { f64::NAN } else { miss }, reach]
 }
 
-/// Defines a walk over the fours of two vectors side by side. Vectors of mechanisms are short: up
-/// to three fours, and what is left of more after those that come four at a time, are written out,
-/// for a loop that LLVM unrolls takes longer to begin and to end than to run.
+/// Defines a loop over the groups of two vectors in parallel. Vectors of mechanisms are short. The
+/// code therefore lists the cases of up to three groups, and of the remainder after blocks of four
+/// groups: a loop that LLVM unrolls takes longer to begin and to end than to run.
 macro_rules! walk {
     ($name:ident, $few:ident, $x:ty, $as_chunks:ident) => {
         #[inline(always)]
@@ -204,7 +205,7 @@ macro_rules! walk {
 walk!(each, few, &'a [Quad], as_chunks);
 walk!(each_mut, few_mut, &'a mut [Quad], as_chunks_mut);
 
-/// The largest numbers so far, and something that is 0 while all of them are finite.
+/// The largest numbers so far, and a number that is 0 while all numbers are finite.
 #[derive(Default)]
 struct Seen {
     largest: f64x4,

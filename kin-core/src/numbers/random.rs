@@ -1,8 +1,8 @@
-//! Random numbers that are the same for the same seed, everywhere: starts of searches, poses beside
-//! a pose, random systems of tests.
+//! Random numbers that depend only on the seed, on every machine: for starts of searches, poses
+//! near a pose, and random systems in tests.
 
-/// SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number generators,
-/// OOPSLA 2014).
+/// The generator SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number
+/// generators, OOPSLA 2014).
 #[derive(Clone, Debug)]
 pub(crate) struct Random(u64);
 
@@ -19,7 +19,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Uniform in (−1, 1).
+    /// Returns a number with uniform distribution in (−1, 1).
     pub(crate) fn number(&mut self) -> f64 {
         (self.next() >> 11) as f64 * 2.0_f64.powi(-52) - 1.0
     }

@@ -1,11 +1,11 @@
-//! Numbers that know how far rounding may have taken them.
+//! Numbers with a bound of their rounding error.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kin_graph::{Function, Function2, Number, compared_by_value, rules};
 
-/// A number with a bound of its error to first order, of the roundings on the way to it and of the
-/// errors of what it is computed from.
+/// A number with a bound of its error to first order, from the roundings of its computation and the
+/// errors of its operands.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Rounded {
     pub x: f64,
@@ -13,7 +13,8 @@ pub(crate) struct Rounded {
     pub off: f64,
 }
 
-/// The rounding of one operation, and of a function of the list, as a share of the result.   \[-\]
+/// The rounding error of one operation, and of a function of the list, as a share of the result.
+/// \[-\]
 const OPERATION: f64 = f64::EPSILON;
 const FUNCTION: f64 = 8.0 * f64::EPSILON;
 
@@ -22,20 +23,21 @@ impl Rounded {
         Rounded { x, off }
     }
 
-    /// f(self), from f and f′ at its value; where f′ is not known, f counts as flat.
+    /// Returns f(self), from f and f′ at the value; if f′ is unknown, f counts as flat.
     pub(crate) fn through(self, f: f64, slope: f64) -> Self {
         let off = if slope.is_finite() { carried(slope, self.off) } else { 0.0 };
         Rounded::result(f, off, FUNCTION)
     }
 
-    /// The result of an operation whose operands are off by so much.
+    /// Returns the result x of an operation with the error `off` from its operands and `share` from
+    /// its rounding.
     fn result(x: f64, off: f64, share: f64) -> Self {
         Rounded { x, off: off + share * x.abs() }
     }
 }
 
-/// The share of an operand's error in the result: none of an operand that is exact, whatever the
-/// slope.
+/// Returns the part of the result's error that comes from an operand: 0 for an exact operand,
+/// whatever the slope.
 fn carried(slope: f64, off: f64) -> f64 {
     if off == 0.0 { 0.0 } else { (slope * off).abs() }
 }

@@ -1,5 +1,5 @@
-//! Numbers with an exponent of their own, for what is too large or too small for an f64 on the way
-//! to a result that is neither.
+//! Numbers with a separate exponent, for intermediate results that are too large or too small for
+//! an f64.
 
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -13,16 +13,14 @@ pub(crate) struct Wide {
     e: i64,
 }
 
-/// ln 2 in two parts, the first of which has so few digits that its multiples by exponents are
-/// exact.
+/// ln 2 in two parts. The first part has so few digits that its multiples by exponents are exact.
 const LN_2_HIGH: f64 = 0.693_147_180_369_123_8;
 const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
 
-/// Arguments up to which f64 has a value of what grows as an exponential does.
+/// The largest argument for which f64 can hold a value that grows like an exponential.
 const ORDINARY: f64 = 700.0;
 
-/// Beyond this many powers of 2 the smaller one of two numbers does not count beside the larger
-/// one.
+/// The distance of two exponents beyond which the smaller number does not change the sum.
 const APART: i64 = 200;
 
 impl Wide {
@@ -30,11 +28,11 @@ impl Wide {
         Wide { x, e: 0 }.normal()
     }
 
-    /// The nearest f64: infinite, or zero, where it is too large or too small.
+    /// Returns the nearest f64: infinite if the number is too large, zero if it is too small.
     pub(crate) fn value(self) -> f64 {
         let e = self.e.clamp(-2200, 2200) as i32;
         let half = e / 2;
-        // In two steps: 2^e alone may be no f64 where the product is.
+        // The product takes two steps, because 2^e alone may overflow where the product does not.
         self.x * f64::powi(2.0, half) * f64::powi(2.0, e - half)
     }
 
@@ -51,7 +49,7 @@ impl Wide {
         Wide { x, e: e.saturating_add(exponent) }
     }
 
-    /// True if f64 has the number too.
+    /// Returns true if f64 can hold the number.
     fn is_ordinary(self) -> bool {
         self.e.abs() < 1000
     }
@@ -73,13 +71,13 @@ impl Wide {
         Wide::new(self.x.ln() + self.e as f64 * LN_2)
     }
 
-    /// The root of degree n of a number that f64 does not have.
+    /// Returns the root of degree n of a number that f64 cannot hold.
     fn root(self, n: i64, root: fn(f64) -> f64) -> Self {
         let left = self.e.rem_euclid(n);
         Wide { x: root(self.x * f64::powi(2.0, left as i32)), e: (self.e - left) / n }.normal()
     }
 
-    /// A function of a number that f64 does not have.
+    /// Returns a function of a number that f64 cannot hold.
     fn call_beyond(self, f: Function) -> Self {
         match f {
             Function::Ln => self.logarithm(),
@@ -96,7 +94,7 @@ impl Wide {
         }
     }
 
-    /// ± 2 |x|, whose logarithm arsinh and arcosh of large numbers are.
+    /// Returns 2 |x|, whose logarithm is arcosh, and with the sign arsinh, of a large number.
     fn twice(self) -> Self {
         Wide { x: self.x.abs(), e: self.e.saturating_add(1) }
     }

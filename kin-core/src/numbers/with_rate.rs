@@ -1,11 +1,12 @@
-//! Numbers of any kind with a derivative by time, by the rules of the list of functions; one inside
-//! of another has derivatives of higher order.
+//! Numbers of any kind with a derivative with respect to time, by the rules of the list of
+//! functions. A nested number has derivatives of higher order.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use kin_graph::{Comparison, Function, Function2, Number, rules};
 
-/// A number with its derivative by time, by the rules of the list; `None` of what does not move.
+/// A number with its derivative with respect to time; the rate is `None` for a number that does not
+/// move.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WithRate<N> {
     pub x: N,
@@ -13,12 +14,12 @@ pub(crate) struct WithRate<N> {
 }
 
 impl<N: Number> WithRate<N> {
-    /// f(self), with f and f′ at the number.
+    /// Returns f(self), from f and f′ at the number.
     pub(crate) fn chain(self, f: N, slope: impl FnOnce() -> N) -> Self {
         WithRate { x: f, rate: self.rate.map(|rate| slope() * rate) }
     }
 
-    /// The sum of what two operands have in the rate.
+    /// Returns x with the sum of two parts of the rate.
     fn with(x: N, parts: [Option<N>; 2]) -> Self {
         let [a, b] = parts;
         let rate = match (a, b) {
@@ -122,7 +123,7 @@ impl<N: Number> Number for WithRate<N> {
     }
 
     fn select(condition: &Self::Condition, a: Self, b: Self) -> Self {
-        // A rate that is none is one that is zero, where the other side moves.
+        // A missing rate counts as zero if the other side moves.
         let rate = match (a.rate, b.rate) {
             (None, None) => None,
             (a, b) => {

@@ -1,9 +1,10 @@
-//! Tapes along a motion whose q, q̇ and q̈ are known: nothing is iterated, C_q is eliminated in an
-//! order that is chosen at the first time, and what is asked for are outputs.
+//! Tapes along a motion whose q, q̇ and q̈ are known. Nothing is iterated. C_q is eliminated in an
+//! order that is chosen at the first time; the requested results are outputs.
 //!
-//! Their graphs read time, coordinates as [`Input::State`], rates as [`Input::Rate`], and second
-//! rates as [`Input::Parameter`], for nothing is differentiated by those. A time at which a pivot
-//! is small beside what it was at the first one is left to other ways.
+//! The graphs read time, coordinates as [`Input::State`], velocities as [`Input::Rate`], and
+//! accelerations as [`Input::Parameter`], because nothing is differentiated by accelerations. A
+//! time at which a pivot is small relative to its value at the first time is returned to the
+//! caller.
 
 use kin_graph::{Graph, Input, LeafUse, Node, Source};
 
@@ -15,25 +16,31 @@ use crate::model::law::Law;
 use crate::model::motion::Motion;
 use crate::system::{System, scale};
 
-/// A tape whose first outputs are guards, with their values where its elimination was chosen; pairs
-/// of a number and its limit follow.
+/// A tape whose first outputs are guards. Pairs of a number and its limit follow, then the
+/// requested outputs.
 pub(crate) struct Guarded {
+    /// The tape.
     pub tape: Straight,
+    /// The values of the guards at the time at which the elimination was chosen, one for each
+    /// guard.
     marks: Vec<f64>,
+    /// The number of pairs of a number and its limit.
     limited: usize,
 }
 
-/// Results that a tape along a motion computes.
+/// The results that a tape along a motion computes.
 pub(crate) struct Asked {
-    /// Numbers with limits: a time at which one of them is larger in size is left to other ways.
+    /// Pairs of a number and its limit. A time at which a number exceeds its limit is returned to
+    /// the caller.
     pub limited: Vec<(Node, Node)>,
+    /// The requested nodes.
     pub outputs: Vec<Node>,
 }
 
 impl Guarded {
-    /// The tape of outputs that an elimination leads to, chosen at the position of a time; `cells`
-    /// are those of C_q by rows, which are masked while the elimination is made of them, as
-    /// whatever is else made of long expressions may be. `None` where C_q is singular there.
+    /// Makes the tape of outputs that need an elimination, chosen at the position of a time.
+    /// `cells` are the entries of C_q by rows. They are masked during the elimination, like other
+    /// long expressions. Returns `None` if C_q is singular there.
     pub(crate) fn new(
         system: &System,
         (t, q): (f64, &[f64]),
@@ -48,7 +55,7 @@ impl Guarded {
         Guarded::limited(system, (t, q), made, cells, asked)
     }
 
-    /// The same with numbers that have limits. Of a redundant mechanism `cells` are as many
+    /// Makes such a tape with limited numbers. For a redundant mechanism `cells` contains as many
     /// independent rows as there are coordinates.
     pub(crate) fn limited(
         system: &System,
@@ -96,14 +103,14 @@ impl Guarded {
         Some(Guarded { tape, marks, limited: asked.limited.len() })
     }
 
-    /// The tape of outputs that need no elimination.
+    /// Makes the tape of outputs that need no elimination.
     pub(crate) fn of(graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Guarded {
         Guarded { tape: straight(graph, laws, outputs), marks: Vec::new(), limited: 0 }
     }
 
-    /// Hands over all times of a motion; gives those that are left to other ways. `beside` tells
-    /// the list and the column of inputs that are not the motion's. `None` where the machine has no
-    /// lanes.
+    /// Computes all times of a motion and returns those that remain for the caller. `beside`
+    /// returns the list and the column of inputs that do not belong to the motion. Returns `None`
+    /// if the machine has no SIMD.
     pub(crate) fn run<'a>(
         &'a self,
         motion: &'a Motion,
@@ -145,7 +152,7 @@ impl Source<f64> for Masked<'_> {
     }
 }
 
-/// The list and the column of an input, along a motion.
+/// Returns the list and the column of an input along a motion.
 fn port(motion: &Motion, input: Input) -> Option<(Rows<'_>, usize)> {
     let n = motion.layout.len();
     match input {
@@ -157,7 +164,7 @@ fn port(motion: &Motion, input: Input) -> Option<(Rows<'_>, usize)> {
     }
 }
 
-/// The sizes of coordinates at a position.
+/// Returns the sizes of coordinates at a position.
 fn sizes(system: &System, t: f64, q: &[f64]) -> Option<Vec<f64>> {
     let point = system.model().linearize(q, t).ok()?;
     Some(scale::sizes(system.layout(), system.equations(), &point.values, (q, t), system.links()))

@@ -1,8 +1,8 @@
-//! Diagonal blocks that follow one another, of a square pattern: each can be solved when those
-//! before it are.
+//! Finds the diagonal blocks of a square pattern in an order in which each block can be solved
+//! after those before it.
 
-/// Rows and columns of each block; `None` where no choice of cells meets every row and every column
-/// once. Columns may be any numbers.
+/// Returns the rows and columns of each block, or `None` if rows and columns cannot be paired.
+/// Columns may be arbitrary numbers.
 pub(crate) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usize>)>> {
     let matched = Matching::of(pattern)?;
     if pattern.iter().flatten().any(|column| !matched.row_of.contains_key(column)) {
@@ -32,14 +32,16 @@ pub(crate) fn blocks(pattern: &[Vec<usize>]) -> Option<Vec<(Vec<usize>, Vec<usiz
     )
 }
 
-/// A cell of each row, each in another column.
+/// A pairing of rows and columns: one entry of each row, each in another column.
 struct Matching {
+    /// The column of each row; `usize::MAX` if it has none yet.
     column_of: Vec<usize>,
+    /// The row of each column that has one.
     row_of: std::collections::HashMap<usize, usize>,
 }
 
 impl Matching {
-    /// Along augmenting paths.
+    /// Finds a pairing along augmenting paths.
     fn of(pattern: &[Vec<usize>]) -> Option<Matching> {
         let mut matching =
             Matching { column_of: vec![usize::MAX; pattern.len()], row_of: Default::default() };
@@ -49,7 +51,7 @@ impl Matching {
         Some(matching)
     }
 
-    /// A search in breadth for a free column, from the row.
+    /// Searches breadth-first for a free column, starting from a row.
     fn augment(&mut self, pattern: &[Vec<usize>], start: usize) -> Option<()> {
         let (mut from, mut open) =
             (std::collections::HashMap::new(), std::collections::VecDeque::from([start]));
@@ -71,7 +73,7 @@ impl Matching {
         None
     }
 
-    /// Exchanges what is matched along a path that ends at a free column.
+    /// Reverses the pairing along a path that ends at a free column.
     fn turn(
         &mut self,
         from: &std::collections::HashMap<usize, usize>,
@@ -90,7 +92,8 @@ impl Matching {
     }
 }
 
-/// Tarjan's search for rows that reach one another: it ends blocks after all that they read.
+/// Tarjan's search for rows that depend on one another. It completes a block after all blocks on
+/// which the block depends.
 struct Search<'a> {
     pattern: &'a [Vec<usize>],
     matched: &'a Matching,
@@ -103,7 +106,8 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// A row, and all that it reads: a stack of its own, as deep as a chain may be long.
+    /// Visits a row and all rows on which it depends. It uses an explicit stack, because a chain
+    /// can be long.
     fn visit(&mut self, start: usize) {
         if self.order[start] > 0 {
             return;

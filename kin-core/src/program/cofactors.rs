@@ -1,24 +1,28 @@
-//! Up to three equations in as many unknowns, by cofactors.
+//! Solves up to three equations in as many unknowns, by cofactors.
 
 use std::collections::BTreeMap;
 
 use kin_graph::{Graph, Node};
 
-/// A small system, its inverse as cofactors over the determinant.
+/// A small system, with its inverse as cofactors divided by the determinant.
 pub(super) struct Cofactors {
+    /// The rows, by their indices among the remaining rows.
     pub rows: Vec<usize>,
+    /// The coordinates of the unknowns.
     pub columns: Vec<usize>,
+    /// The determinant; it is a guard and gives the orientation.
     pub determinant: Node,
+    /// One divided by the determinant.
     pub(super) inverse: Node,
-    /// Adjugate, by columns of the unknowns.
+    /// The adjugate, one list for each unknown.
     pub(super) adjugate: Vec<Vec<Node>>,
 }
 
 impl Cofactors {
-    /// As many rows as are solved so.
+    /// The largest number of rows that are solved by cofactors.
     pub(super) const MOST: usize = 3;
 
-    /// Of rows with their cells by columns.
+    /// Creates the system from rows with their entries by columns.
     pub(super) fn new(
         graph: &mut Graph,
         rows: Vec<(usize, BTreeMap<usize, Node>)>,
@@ -40,7 +44,7 @@ impl Cofactors {
                 let c = graph.neg(cell(1, 0));
                 vec![vec![cell(1, 1), b], vec![c, cell(0, 0)]]
             }
-            // The cyclic order makes the signs.
+            // The cyclic order gives the signs.
             _ => (0..3)
                 .map(|j| {
                     (0..3)
@@ -67,7 +71,7 @@ impl Cofactors {
         }
     }
 
-    /// The unknowns.
+    /// Returns the unknowns.
     pub(super) fn solve(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let zero = graph.zero();
         let mut unknown = |cofactors: &Vec<Node>| {

@@ -1,9 +1,9 @@
-//! C_q x = b as nodes: given rows first, from the last one back to the first, then what is left in
-//! blocks that follow one another.
+//! Solves C_q x = b as nodes. First the rows that determine a coordinate are eliminated, from the
+//! last one to the first. Then the remaining blocks are solved one after the other.
 //!
-//! A block of up to three rows is solved by cofactors: its determinant is guard and orientation at
-//! once, and no order of pivots can go wrong. Of a larger one pivots are taken, by Markowitz' count
-//! among those that are large where the guess is, until two are left.
+//! A block of up to three rows is solved by cofactors. Its determinant is both guard and
+//! orientation, and no order of pivots can fail. For a larger block pivots are chosen by Markowitz'
+//! count among those that are large at the guess, until two rows remain.
 
 use std::collections::BTreeMap;
 
@@ -14,35 +14,41 @@ use super::cofactors::Cofactors;
 use super::reduce::over;
 use super::substitute::Order;
 
-/// A pivot is at least this share of the largest cell in its row, where the guess is.   \[-\]
+/// A pivot is at least this share of the largest entry in its row, at the guess. \[-\]
 const THRESHOLD: f64 = 0.1;
 
-/// Rows that are left of a block of more than [`Cofactors::MOST`].
+/// The number of rows that remain of a block of more than [`Cofactors::MOST`] rows.
 const LEFT: usize = 2;
 
-/// The cells that elimination makes, beyond which a mechanism is too much at once.
+/// An elimination may create [`FILL_FREE`] entries, plus [`FILL`] for each explicit row. A
+/// mechanism with more entries is too large for one program.
 const FILL: usize = 64;
 const FILL_FREE: usize = 4096;
 
-/// Cells of one row by columns.
+/// The entries of one row, by columns.
 type Cells = BTreeMap<usize, Node>;
 
-/// All that is known of C_q, by rows of the whole and coordinates.
+/// The elimination of C_q, by rows of the whole system and coordinates.
 pub(crate) struct Elimination<'a> {
+    /// The rows that determine a coordinate, and the torn coordinates.
     pub(super) order: &'a Order,
-    /// The cells of given rows beside their own.
+    /// For each row that determines a coordinate its other entries.
     pub(super) given: Vec<Vec<(usize, Node)>>,
-    /// The cells of the rows that are left, in torn coordinates, and how much of which given rows
-    /// is taken from them.
+    /// For each remaining row its entries in torn coordinates.
     pub(super) cells: Vec<Cells>,
+    /// For each remaining row the rows that are subtracted from it, with their multipliers.
     pub(super) multipliers: Vec<Vec<(usize, Node)>>,
+    /// The blocks of the remaining rows, in the order in which they are solved.
     pub(super) blocks: Vec<Block>,
 }
 
-/// Rows that are solved together, by their numbers among those that are left; coordinates.
+/// Rows that are solved together.
 pub(super) struct Block {
+    /// The rows, by their indices among the remaining rows; the columns are coordinates.
     pub(super) rows: Vec<usize>,
+    /// The pivots of a larger block, in order; empty for a block that cofactors solve.
     pub(super) pivots: Vec<Pivot>,
+    /// The rows that remain after the pivots.
     pub(super) cofactors: Cofactors,
 }
 
@@ -50,19 +56,24 @@ pub(super) struct Block {
 pub(super) struct Pivot {
     pub(super) row: usize,
     pub(super) column: usize,
+    /// One divided by the pivot.
     pub(super) inverse: Node,
+    /// The pivot, which is a guard.
     pub(super) guard: Node,
+    /// The multipliers of the rows below, as (row, multiplier).
     pub(super) lower: Vec<(usize, Node)>,
+    /// The other entries of the pivot's row, as (column, entry).
     pub(super) upper: Vec<(usize, Node)>,
 }
 
-/// Why there is no elimination.
+/// The reasons why there is no elimination.
 pub(super) const SINGULAR: &str = "its equations are singular where the guess is";
 pub(super) const TANGLED: &str = "too much of it is tied together";
 
 impl<'a> Elimination<'a> {
-    /// `slopes` are the cells of each row of the whole as nodes of the graph; `numbers` tells nodes
-    /// at the guess, in units of order 1 by coordinates.
+    /// Chooses the elimination. `slopes` contains the entries of each row of the whole system as
+    /// nodes. `numbers` returns the values of nodes at the guess, in units of order 1 by
+    /// coordinates.
     pub(crate) fn new(
         graph: &mut Graph,
         order: &'a Order,
@@ -93,8 +104,8 @@ impl<'a> Elimination<'a> {
         Ok(all)
     }
 
-    /// Takes the given rows out of those that are left, the last one first: no other given row has
-    /// its coordinate then.
+    /// Subtracts the rows that determine a coordinate from the remaining rows, the last one first:
+    /// then no other such row contains its coordinate.
     fn take_given(&mut self, graph: &mut Graph) -> Result<(), &'static str> {
         let mut readers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (row, cells) in self.cells.iter().enumerate() {
@@ -132,7 +143,7 @@ impl<'a> Elimination<'a> {
         Ok(())
     }
 
-    /// Chooses the pivots of a block, by their numbers at the guess.
+    /// Chooses the pivots of a block by their values at the guess.
     fn block(
         &self,
         graph: &mut Graph,
@@ -161,8 +172,8 @@ impl<'a> Elimination<'a> {
         Ok(Block { rows, pivots, cofactors })
     }
 
-    /// The values to be watched, block by block: pivots and determinants. Signs of their products
-    /// are the orientations.
+    /// Returns the guards, block by block: pivots and determinants. The signs of their products are
+    /// the orientations.
     pub(crate) fn guards(&self) -> Vec<Vec<Node>> {
         let of = |block: &Block| {
             block
@@ -175,12 +186,12 @@ impl<'a> Elimination<'a> {
         self.blocks.iter().map(of).collect()
     }
 
-    /// The sizes of the blocks.
+    /// Returns the sizes of the blocks.
     pub(super) fn sizes(&self) -> Vec<usize> {
         self.blocks.iter().map(|block| block.rows.len()).collect()
     }
 
-    /// x of C_q x = b, by coordinates; b by rows of the whole.
+    /// Returns x of C_q x = b, by coordinates; b is indexed by rows of the whole system.
     pub(crate) fn solve(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let mut x = vec![graph.zero(); b.len()];
         let rhs: Vec<Node> = (0..self.cells.len()).map(|row| self.rest(graph, row, b)).collect();
@@ -197,7 +208,7 @@ impl<'a> Elimination<'a> {
         x
     }
 
-    /// The right side of a row that is left.
+    /// Returns the right side of a remaining row.
     fn rest(&self, graph: &mut Graph, row: usize, b: &[Node]) -> Node {
         self.multipliers[row].iter().fold(b[self.order.rows[row]], |sum, (k, multiplier)| {
             let product = graph.mul(*multiplier, b[self.order.explicit[*k].row]);
@@ -240,14 +251,14 @@ impl<'a> Elimination<'a> {
 }
 
 impl Block {
-    /// True if it solves for that coordinate.
+    /// Returns true if the block solves for that coordinate.
     pub(super) fn has(&self, column: usize) -> bool {
         self.cofactors.columns.contains(&column)
             || self.pivots.iter().any(|pivot| pivot.column == column)
     }
 }
 
-/// The next pivot of a block: the cheapest one that is not small in its row.
+/// Returns the next pivot of a block: the cheapest one that is not small in its row.
 fn choose(
     graph: &Graph,
     active: &BTreeMap<usize, Cells>,
@@ -280,7 +291,7 @@ fn choose(
     best.map(|((row, column, _), _)| (*row, *column))
 }
 
-/// Takes a pivot out of what is active.
+/// Eliminates a pivot from the active rows.
 fn pivot(
     graph: &mut Graph,
     active: &mut BTreeMap<usize, Cells>,

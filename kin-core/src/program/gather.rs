@@ -1,5 +1,5 @@
-//! All equations of a system in one graph: coordinates are those of the system, parameters are
-//! folded, equal expressions of different constraints are one node.
+//! Gathers all equations of a system in one graph. Coordinates are those of the system, constant
+//! parameters are folded, and equal expressions of different constraints share a node.
 
 mod free;
 mod timed;
@@ -23,50 +23,57 @@ pub(crate) use free::{Case, Differences, Free};
 use free::LawPlace;
 use timed::timed;
 
-/// All rows, with what their graph reads.
+/// All rows, with the inputs of their graph.
 pub(crate) struct Whole {
+    /// The graph of all rows.
     pub graph: Graph,
+    /// The rows, by their indices in the system.
     pub rows: Vec<Row>,
-    /// The laws of the graph, by their numbers.
+    /// The laws of the graph, by their indices.
     pub laws: Vec<Law>,
-    /// Number of coordinates.
+    /// The number of coordinates.
     pub n: usize,
-    /// The nodes that choose between sides where coordinates move: see [`Kind::sides`].
+    /// The nodes that select branches depending on coordinates: see [`Kind::sides`].
     pub sides: Vec<Node>,
-    /// How far what chooses is from where it changes: see [`Kind::gaps`].
+    /// The distances of branch selections from their changes: see [`Kind::gaps`].
     pub gaps: Vec<Node>,
     /// The numbers and laws that differ from case to case.
     pub free: Free,
-    /// True if rows have what the jerk asks of them.
+    /// True if rows contain the terms of the jerk.
     jerk: bool,
-    /// The values of coordinates that stand still; all others move.
+    /// For each coordinate its value if it is constant, otherwise `None`. An empty list means that
+    /// all coordinates move.
     still: Vec<Option<f64>>,
-    /// The kinds that were read, by their tables.
+    /// The kinds that were read, by the addresses of their formulas.
     kinds: HashMap<usize, Rc<Kind>>,
 }
 
-/// One row: C, ∂C/∂q_j by coordinates, C_t, g″(0) along the rates, which is −Q_d, and, where the
-/// jerk is asked for, g‴(0) along the rates and second rates.
+/// One row of the system, in coordinates of the system.
 pub(crate) struct Row {
+    /// C.
     pub residual: Node,
+    /// ∂C/∂q_j as (j, node).
     pub slopes: Vec<(usize, Node)>,
-    /// Coordinates that it hangs on without a slope.
+    /// The coordinates on which the row depends through steps only, without a slope.
     pub steps: Vec<usize>,
+    /// C_t.
     pub by_time: Node,
+    /// g″(0) along the velocities, which is −Q_d.
     pub second: Node,
+    /// g‴(0) along velocities and accelerations; `None` unless the jerk is computed.
     pub third: Option<Node>,
 }
 
 /// The reason why there is no program.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Refusal {
-    /// The constraint; empty where it is the mechanism itself.
+    /// The constraint; empty if the mechanism itself is the reason.
     pub constraint: String,
     pub reason: &'static str,
 }
 
 impl fmt::Display for Refusal {
-    /// "`x` cannot be compiled: …"
+    /// Writes "`x` cannot be compiled: …".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.constraint.as_str() {
             "" => write!(f, "the mechanism cannot be compiled: {}", self.reason),
@@ -75,13 +82,13 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// Why a constraint without a formula cannot be compiled.
+/// The reason why a constraint without a formula cannot be compiled.
 pub(crate) const UNREAD: &str =
     "its equation is not known as a formula: it takes the dual route, or is written by hand";
 pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 
-/// Gathers the equations of a system, with or without what the jerk asks of them; refuses by name
-/// what cannot be read. What differs from case to case is left free.
+/// Gathers the equations of a system, with or without the terms of the jerk. Returns an error with
+/// the name of an unreadable constraint. Numbers that differ from case to case become inputs.
 pub(crate) fn gather(
     system: &System,
     jerk: bool,
@@ -91,7 +98,7 @@ pub(crate) fn gather(
     gathered(system, Whole { jerk, free, ..Whole::new(system.n_coordinates()) })
 }
 
-/// The same where some coordinates stand still at these values.
+/// Gathers the equations with some coordinates constant at these values.
 pub(crate) fn gather_where(system: &System, still: Vec<Option<f64>>) -> Result<Whole, Refusal> {
     gathered(system, Whole { still, ..Whole::new(system.n_coordinates()) })
 }
@@ -108,14 +115,17 @@ fn gathered(system: &System, mut whole: Whole) -> Result<Whole, Refusal> {
 
 /// The inputs of one constraint.
 pub(crate) struct Leaves<'a> {
+    /// For each local column its coordinate, number or node.
     pub columns: &'a [Column],
+    /// The values of the parameters of the formula.
     pub parameters: &'a [f64],
     /// The values and laws that only the user's program can compute.
     pub outside: Outside<'a>,
-    /// Values without coordinates that only the user's program can compute, with their nodes: those
-    /// of time, by their places from [`TIMED`] on, then those of parameters that are free, which
-    /// are these values.
+    /// Values of time alone that only the user's program can compute, as (node, law). Their indices
+    /// begin at [`TIMED`].
     pub timed: &'a [(Node, Law)],
+    /// Values of free parameters that only the user's program can compute, as (function,
+    /// component).
     pub of_parameters: &'a [(usize, usize)],
 }
 
@@ -132,7 +142,7 @@ impl Leaves<'_> {
         timed.map_or(LawPlace::Law(number), |(node, _)| LawPlace::Node(*node))
     }
 
-    /// The law that stands for a value of free parameters.
+    /// Returns the index of the law that represents a value of free parameters.
     fn of_parameters(&self, number: usize, component: usize) -> Option<usize> {
         let known = self.of_parameters.iter().position(|known| *known == (number, component))?;
         Some(TIMED + self.timed.len() - self.of_parameters.len() + known)
@@ -144,17 +154,17 @@ impl Leaves<'_> {
     }
 }
 
-/// The coordinate behind a local column.
+/// The meaning of a local column.
 #[derive(Clone, Copy)]
 pub(crate) enum Column {
     Coordinate(usize),
-    /// A number: of the ground.
+    /// A number: a coordinate of the ground.
     Fixed(f64),
-    /// A node that is there already.
+    /// An existing node.
     Node(Node),
 }
 
-/// The local columns of a constraint.
+/// Returns the meaning of the local columns of a constraint.
 pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Vec<Column>> {
     let mut columns = Vec::new();
     for argument in constraint.arguments() {
@@ -163,8 +173,8 @@ pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Ve
             Place::Own { first, .. } => {
                 columns.extend((first..first + count).map(Column::Coordinate))
             }
-            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0), a coordinate
-            // of the ground its value.
+            // A spatial body that is the ground has the Euler parameters (1, 0, 0, 0); a coordinate
+            // of the ground has its value.
             Place::Ground(_) if count == 7 => {
                 columns.extend((0..7).map(|k| Column::Fixed(if k == 3 { 1.0 } else { 0.0 })))
             }
@@ -176,7 +186,7 @@ pub(crate) fn columns(system: &System, constraint: &dyn Constraint) -> Option<Ve
 }
 
 impl Whole {
-    /// Of so many coordinates, without rows.
+    /// Creates the graph of this number of coordinates, without rows.
     pub(crate) fn new(n: usize) -> Self {
         let kinds = HashMap::new();
         let still = vec![None; n];
@@ -195,7 +205,7 @@ impl Whole {
         }
     }
 
-    /// A coordinate.
+    /// Returns the node of a coordinate.
     pub(crate) fn coordinate(&mut self, column: usize) -> Node {
         match self.still.get(column).copied().flatten() {
             Some(value) => self.graph.constant(value),
@@ -203,7 +213,8 @@ impl Whole {
         }
     }
 
-    /// The rate of a coordinate, or its second rate: zero where it stands still.
+    /// Returns the node of the velocity or acceleration of a coordinate; it is zero for a constant
+    /// coordinate.
     pub(crate) fn moving(&mut self, column: usize, input: Input) -> Node {
         match self.still.get(column).copied().flatten() {
             Some(_) => self.graph.zero(),
@@ -211,8 +222,8 @@ impl Whole {
         }
     }
 
-    /// Nodes of a constraint's graph, operands before their users, as nodes of this one; by their
-    /// numbers there.
+    /// Copies nodes of a constraint's graph, operands before their results. The result is indexed
+    /// by the old nodes.
     pub(crate) fn copy(
         &mut self,
         from: &Graph,
@@ -226,7 +237,7 @@ impl Whole {
         Ok(places)
     }
 
-    /// The rows of a constraint as nodes: of an equation, or of what stands beside the equations.
+    /// Returns the rows of a constraint as nodes, for an equation, a load or a mass.
     pub(crate) fn rows_of(
         &mut self,
         system: &System,
@@ -248,7 +259,7 @@ impl Whole {
         done.unwrap_or(Err(UNREAD))
     }
 
-    /// C of a constraint of one row, its coordinates being these nodes.
+    /// Returns C of a constraint of one row at these nodes as coordinates.
     pub(crate) fn value_of(
         &mut self,
         constraint: &dyn Constraint,
@@ -272,7 +283,7 @@ impl Whole {
         done.unwrap_or(Err(UNREAD))
     }
 
-    /// The kind of constraints of that table, read once.
+    /// Returns the kind of constraints with this formula, which is read once.
     fn kind(&mut self, table: &Table, rows: usize) -> Result<Rc<Kind>, &'static str> {
         let key = std::ptr::from_ref(table) as usize;
         let kind = match self.kinds.get(&key) {
@@ -291,7 +302,7 @@ impl Whole {
             let mut slopes: Vec<(usize, Node)> = Vec::new();
             for (column, slope) in &row.slopes {
                 let Some(Column::Coordinate(j)) = leaves.columns.get(*column) else { continue };
-                // A body may be given twice: then its columns add up.
+                // An equation can contain a body twice; then its columns are summed.
                 match slopes.iter_mut().find(|(known, _)| known == j) {
                     Some((_, sum)) => *sum = self.graph.add(*sum, of(*slope)),
                     None => slopes.push((*j, of(*slope))),
@@ -317,7 +328,7 @@ impl Whole {
         Ok(rows)
     }
 
-    /// One step of a constraint's graph.
+    /// Copies one operation of a constraint's graph.
     fn node(
         &mut self,
         from: &Graph,
@@ -367,7 +378,7 @@ impl Whole {
                     (None, Some(number)) => {
                         let law = leaves.law(number).ok_or(FOREIGN)?;
                         let own = self.free.law(leaves.place(number), &law, &mut self.laws);
-                        // It is the same at all times.
+                        // The law is constant in time.
                         let never = self.graph.zero();
                         own.map(|own| self.graph.law(own, never, 0)).ok_or(FOREIGN)?
                     }
@@ -378,7 +389,7 @@ impl Whole {
         })
     }
 
-    /// A derivative of a law at a node: by its formula, if it is known so.
+    /// Returns a derivative of a law at a node, from its formula if it has one.
     pub(crate) fn law_at(&mut self, law: Law, x: Node, order: u8) -> Option<Node> {
         match written(&law, order) {
             Some((own, f)) => {
@@ -391,7 +402,7 @@ impl Whole {
         }
     }
 
-    /// The number of a law: the same one for laws that are one.
+    /// Returns the index of a law. Equal laws share an index.
     fn law(&mut self, law: Law) -> usize {
         self.laws.iter().position(|known| known.is(&law)).unwrap_or_else(|| {
             self.laws.push(law);
@@ -400,7 +411,7 @@ impl Whole {
     }
 }
 
-/// A derivative of a law as a graph of its variable, if the law is known so.
+/// Returns a derivative of a law as a graph of its variable, if the law has a formula.
 fn written(law: &Law, order: u8) -> Option<(Graph, Node)> {
     let mut graph = Graph::default();
     let x = graph.input(Input::Column(0));

@@ -1,8 +1,9 @@
-//! The equation of one kind of constraint with its derivatives: found once for all constraints of
-//! the kind.
+//! The equation of one kind of constraint with its derivatives. They are computed once for all
+//! constraints of the kind.
 //!
-//! Coordinates are [`Input::State`] of the local column, part R(0), and rates [`Input::Rate`]
-//! likewise: to the passes of `kin_graph` each of them is an argument of its own.
+//! Coordinates are [`Input::State`] of the local column with the part R(0), and velocities
+//! [`Input::Rate`] in the same way. For the passes of `kin_graph` each of them is a separate
+//! argument.
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::schedule::looked_up;
@@ -10,52 +11,58 @@ use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
 
 use crate::model::formula::sides::Choice;
 
-/// The part of a state, or of a rate, that a coordinate is; the part of a rate that the second rate
-/// is.
+/// The part of a state or velocity that represents a coordinate. The second part represents the
+/// acceleration.
 pub(crate) const SELF: Part = Part::R(0);
 pub(super) const SECOND: Part = Part::R(1);
 
-/// The number from which on laws of the graph are values of time alone that only rustc can read.
+/// The index from which laws of the graph are values of time alone that only rustc can read.
 pub(super) const TIMED: usize = usize::MAX / 2;
 
-/// Rows with all that is asked of them.
+/// The rows of a kind with their derivatives.
 pub(super) struct Kind {
+    /// The graph of all rows.
     pub graph: Graph,
     pub rows: Vec<KindRow>,
-    /// All that rows are computed from, operands before their users.
+    /// All operands of the rows, before their results.
     pub nodes: Vec<Node>,
-    /// The nodes that choose between sides where coordinates move: conditions and whole numbers. As
-    /// long as all of them are the same nothing has jumped.
+    /// The nodes that select branches depending on coordinates: conditions and integers. As long as
+    /// none of them changes, nothing has jumped.
     pub sides: Vec<Node>,
-    /// How far what chooses is from where it changes.
+    /// The distances of the branch selections from their changes.
     pub gaps: Vec<Node>,
-    /// Values of time alone that only rustc can read, as nodes of the formula; the graph has them
-    /// as laws of time, by their places here from [`TIMED`] on.
+    /// Values of time alone that only rustc can read, as nodes of the formula. In the graph they
+    /// are laws of time, with indices from [`TIMED`] on.
     pub timed: Vec<Node>,
-    /// Values of parameters alone that only rustc can read, by number and component, as nodes of
-    /// the formula.
+    /// Values of parameters alone that only rustc can read, as ((function, component), node of the
+    /// formula).
     pub foreign: Vec<((usize, usize), Node)>,
 }
 
-/// One row: C, ∂C/∂q_k by local columns, C_t, g″(0) along the rates, which is −Q_d, and, where the
-/// jerk is asked for, g‴(0) along the rates and second rates.
+/// One row, in local columns.
 pub(super) struct KindRow {
+    /// C.
     pub residual: Node,
-    /// The local columns that it reads: a step of one has no slope, and hangs on it all the same.
+    /// The local columns on which the row depends. A column that enters through a step has no
+    /// slope, but the row depends on it.
     pub columns: Vec<usize>,
+    /// ∂C/∂q_k as (k, node).
     pub slopes: Vec<(usize, Node)>,
+    /// C_t.
     pub by_time: Node,
+    /// g″(0) along the velocities, which is −Q_d.
     pub second: Node,
+    /// g‴(0) along velocities and accelerations; `None` unless the jerk is computed.
     pub third: Option<Node>,
 }
 
-/// Why an equation cannot be read as a graph.
+/// The reasons why an equation cannot be read as a graph.
 pub(crate) const FOREIGN: &str =
     "a function that only rustc can read is asked for something that moves with coordinates";
 const EMPTY: &str = "its equation is not known as a formula";
 
 impl Kind {
-    /// Of the rows as they are written, with or without what the jerk asks of them.
+    /// Differentiates the rows as they are written, with or without the terms of the jerk.
     pub(super) fn of(formula: &Formula, rows: usize, jerk: bool) -> Result<Kind, &'static str> {
         if formula.rows.len() != rows {
             return Err(EMPTY);
@@ -102,8 +109,8 @@ impl Kind {
     }
 }
 
-/// g‴(0) of g(s) = C(q + s q̇ + ½ s² q̈, t + s): the derivative of g″(0) along constant rates, and
-/// three times that of C_q q̈.
+/// Returns g‴(0) of g(s) = C(q + s q̇ + ½ s² q̈, t + s): the derivative of g″(0) along constant
+/// velocities, plus three times that of C_q q̈.
 fn third(graph: &mut Graph, jets: &mut Jets, slopes: &[(usize, Node)], second: Node) -> Node {
     let zero = graph.zero();
     let three = graph.constant(3.0);
@@ -118,8 +125,8 @@ fn third(graph: &mut Graph, jets: &mut Jets, slopes: &[(usize, Node)], second: N
     graph.add(bent, along)
 }
 
-/// The nodes that choose between sides of these rows where coordinates move, and how far what they
-/// are made of is from where they change.
+/// Returns the nodes that select branches of these rows depending on coordinates, and their
+/// distances from the changes.
 fn sides(graph: &mut Graph, rows: &[Node]) -> (Vec<Node>, Vec<Node>) {
     let mut sides = Vec::new();
     let mut gaps = Vec::new();
@@ -135,7 +142,7 @@ fn sides(graph: &mut Graph, rows: &[Node]) -> (Vec<Node>, Vec<Node>) {
     (sides, gaps)
 }
 
-/// All nodes that are asked for.
+/// Returns all requested nodes.
 fn outputs(rows: &[KindRow]) -> Vec<Node> {
     let of = |row: &KindRow| {
         let own = [row.residual, row.by_time, row.second].into_iter();
@@ -146,7 +153,7 @@ fn outputs(rows: &[KindRow]) -> Vec<Node> {
     rows.iter().flat_map(of).collect()
 }
 
-/// One step of a formula.
+/// Converts one operation of a formula.
 fn read(
     to: &mut Graph,
     from: &Graph,
@@ -159,7 +166,7 @@ fn read(
         Op::Input(Input::Column(k)) => to.input(Input::State(k, SELF)),
         Op::Input(input @ (Input::Time | Input::Parameter(_))) => to.input(input),
         Op::Law(law, x, order) => to.law(law, of(x), order),
-        // The nearest f64, as kernels have it.
+        // The nearest f64, as in compiled kernels.
         Op::Decimal(k) => {
             from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?
         }

@@ -1,13 +1,17 @@
-//! A whole mechanism as one program: all equations in one graph, what they give explicitly put in,
-//! the rest eliminated, as straight-line stages.
+//! A whole mechanism as one program: all equations in one graph, with explicit coordinates
+//! substituted and the rest eliminated, as straight-line stages.
 //!
-//! Pure passes, each a file, in their order: `kind` (derivatives of one kind of constraint),
-//! `gather` (all constraints in one graph; what differs from case to case is left free, and values
-//! of time that only the user's program knows are laws there), `substitute` (coordinates that a row
-//! gives), `eliminate` (the linear systems of what is left), `stages`, `schedule` (the tape). Then
-//! `replay` runs a tape over any number, `newton` solves with it, many times of one run in lanes
-//! (`times`) or one time alone (`alone`); `along` makes tapes of what is asked of a motion that is
-//! known.
+//! The passes are pure, one in each file, in this order:
+//!
+//! 1. `kind` differentiates one kind of constraint.
+//! 2. `gather` collects all constraints in one graph. Numbers that differ from case to case become
+//!    inputs; values of time that only the user's program knows become laws.
+//! 3. `substitute` finds the coordinates that a row determines.
+//! 4. `eliminate` solves the linear systems of the rest.
+//! 5. `stages` builds the stages, and `schedule` converts them to a tape.
+//!
+//! `replay` runs a tape over any number. `newton` solves with it: many times of one run in lanes
+//! (`times`), or one time (`alone`). `along` makes tapes of results along a known motion.
 
 mod along;
 mod blocks;

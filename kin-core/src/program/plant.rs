@@ -1,4 +1,4 @@
-//! Faults as a generator could make them, for tests that look whether they are noticed.
+//! Faults that a generator of code could make. Tests check that a run detects them.
 
 pub(crate) mod passes;
 
@@ -10,17 +10,17 @@ use super::tape::{Kind, Stage, Tape};
 /// The fault.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Fault {
-    /// A coordinate (0) or one of its rates, by their orders, has lost its sign.
+    /// A coordinate (0) or a derivative of it, by its order, has the wrong sign.
     Sign(usize),
-    /// A rate is that of the next coordinate.
+    /// A derivative belongs to the next coordinate.
     Column(usize),
-    /// A coordinate or one of its rates is off by a thousandth.
+    /// A coordinate or a derivative of it is wrong by a thousandth.
     Slight(usize),
-    /// A row reads the coordinate after its own in `verify`.
+    /// A row reads the next coordinate in `verify`.
     Row,
-    /// Newton's corrections have lost their signs.
+    /// Newton's corrections have the wrong sign.
     Correction,
-    /// A pivot or determinant is that of nothing.
+    /// A pivot or determinant is a constant.
     Guard,
 }
 
@@ -42,7 +42,7 @@ pub(crate) const ALL: [Fault; 14] = [
     Fault::Guard,
 ];
 
-/// The nodes of coordinates (0) or of one of their rates, by orders.
+/// Returns the nodes of coordinates (0) or of their derivatives, by order.
 fn list(program: &mut Program, order: usize) -> &mut Vec<Node> {
     match order {
         0 => &mut program.values,
@@ -52,8 +52,7 @@ fn list(program: &mut Program, order: usize) -> &mut Vec<Node> {
     }
 }
 
-/// Plants a fault in what concerns coordinate, or row, number k; none where the program has no such
-/// number.
+/// Plants a fault at coordinate or row k. It does nothing if the program has no such index.
 pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
     let n = program.values.len();
     match fault {
@@ -82,8 +81,8 @@ pub(crate) fn plant(program: &mut Program, fault: Fault, k: usize) {
     }
 }
 
-/// Makes q̈ of coordinate k wrong at all times but one, with `size` times how far that is away:
-/// what looks at that time alone notices nothing.
+/// Makes q̈ of coordinate k wrong by `size` times the distance from a time t. A check at that time
+/// alone does not detect it.
 pub(crate) fn wrong_but_at(program: &mut Program, k: usize, t: f64, size: f64) {
     let graph = &mut program.graph;
     let [now, then, size] = [graph.input(Input::Time), graph.constant(t), graph.constant(size)];
@@ -92,21 +91,21 @@ pub(crate) fn wrong_but_at(program: &mut Program, k: usize, t: f64, size: f64) {
     program.second_rates[k] = graph.add(program.second_rates[k], off);
 }
 
-/// The fault of one step of a tape, as the pass that schedules could make it.
+/// A fault of one step of a tape, which the scheduling pass could make.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Slip {
-    /// Its sign, or that of one of its terms, is the other one.
+    /// The sign of the step, or of one of its terms, is wrong.
     Sign,
-    /// It reads the place after its first operand's.
+    /// The step reads the place after its first operand.
     Operand,
-    /// It writes the place after its own.
+    /// The step writes the place after its output.
     Place,
 }
 
 /// Every slip.
 pub(crate) const SLIPS: [Slip; 3] = [Slip::Sign, Slip::Operand, Slip::Place];
 
-/// Makes step number k of a tape wrong; false where there is no such step.
+/// Makes step k of a tape wrong. Returns false if there is no such step.
 pub(crate) fn spoil(tape: &mut Tape, slip: Slip, mut k: usize) -> bool {
     let places = tape.places as u32;
     for stage in [&mut tape.setup, &mut tape.time, &mut tape.correct, &mut tape.rest] {
@@ -124,7 +123,7 @@ pub(crate) fn spoil(tape: &mut Tape, slip: Slip, mut k: usize) -> bool {
     false
 }
 
-/// Gives a step the kind with another sign: all steps become runs of one.
+/// Changes the sign of a step's kind; all steps become runs of one step.
 fn turn(stage: &mut Stage, k: usize) {
     let kinds: Vec<Kind> = stage
         .runs

@@ -1,4 +1,4 @@
-//! The graph in which what rows give is put in: coordinates are nodes of what is torn and of time.
+//! The graph after substitution: coordinates are nodes of torn coordinates and time.
 
 use kin_graph::{Graph, Input, Node, Op};
 
@@ -6,20 +6,24 @@ use super::gather::Whole;
 use super::kind::SELF;
 use super::substitute::Order;
 
-/// A graph on the way from that of a whole: what each of its nodes has become.
+/// A graph under construction, with the new node of each old one.
 pub(crate) struct Reduced<'a> {
+    /// The original graph.
     from: &'a Graph,
+    /// The new graph.
     pub graph: Graph,
+    /// For each old node its new node; `None` if it is not copied yet.
     places: Vec<Option<Node>>,
 }
 
 impl<'a> Reduced<'a> {
-    /// With nothing put in.
+    /// Creates a reduction without substitutions.
     pub(crate) fn of_all(from: &'a Graph) -> Self {
         Reduced { from, graph: Graph::default(), places: vec![None; from.len()] }
     }
 
-    /// With all coordinates put in: their nodes, by coordinates.
+    /// Creates a reduction with all coordinates substituted. Returns the node of each coordinate
+    /// too.
     pub(super) fn new(whole: &'a Whole, order: &Order) -> (Self, Vec<Node>) {
         let mut reduced = Reduced::of_all(&whole.graph);
         let mut values = vec![Node::default(); whole.n];
@@ -35,15 +39,15 @@ impl<'a> Reduced<'a> {
         (reduced, values)
     }
 
-    /// An input is this node from now on.
+    /// Replaces an input by a node from now on.
     pub(crate) fn put(&mut self, input: Input, node: Node) {
         if let Some(own) = self.from.existing(Op::Input(input)) {
             self.places[own.index()] = Some(node);
         }
     }
 
-    /// Forgets what the nodes that are computed from these inputs have become, sines and cosines of
-    /// them but: those stay.
+    /// Discards the new nodes of everything computed from these inputs, except sines and cosines of
+    /// them.
     pub(crate) fn rewrite(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
         let mut kept = vec![None; self.from.len()];
         for (input, node) in inputs {
@@ -57,8 +61,8 @@ impl<'a> Reduced<'a> {
         self.places = kept;
     }
 
-    /// Inputs are these nodes from now on: what is computed from them is forgotten, and nothing
-    /// else.
+    /// Replaces inputs by nodes from now on, and discards the new nodes of everything computed from
+    /// them.
     pub(crate) fn replace(&mut self, inputs: impl Iterator<Item = (Input, Node)>) {
         let mut replaced = vec![false; self.from.len()];
         for (input, node) in inputs {
@@ -66,7 +70,7 @@ impl<'a> Reduced<'a> {
             replaced[own.index()] = self.places[own.index()].is_some_and(|before| before != node);
             self.places[own.index()] = Some(node);
         }
-        // Operands have smaller numbers than what is computed from them.
+        // Operands have smaller indices than their results.
         for node in self.from.nodes() {
             let mut stale = false;
             self.from.each_operand(node, |operand| stale |= replaced[operand.index()]);
@@ -77,7 +81,7 @@ impl<'a> Reduced<'a> {
         }
     }
 
-    /// The node that stands for another one now.
+    /// Returns the new node of an old one.
     pub(crate) fn of(&mut self, node: Node) -> Node {
         let mut open = vec![node];
         while let Some(&next) = open.last() {
@@ -99,7 +103,7 @@ impl<'a> Reduced<'a> {
         self.places[node.index()].unwrap_or_default()
     }
 
-    /// A node whose operands are there.
+    /// Copies a node whose operands are copied.
     fn node(&mut self, node: Node) -> Node {
         let places = &self.places;
         let of = |node: Node| places[node.index()].unwrap_or_default();
@@ -112,7 +116,7 @@ impl<'a> Reduced<'a> {
     }
 }
 
-/// x / c
+/// Returns x / c.
 pub(super) fn over(graph: &mut Graph, x: Node, c: f64) -> Node {
     if c == 1.0 {
         return x;

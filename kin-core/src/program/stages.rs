@@ -1,8 +1,9 @@
-//! The program: all that a step computes as nodes of one graph, of time and of torn coordinates.
+//! The program: everything that a step computes, as nodes of one graph of time and torn
+//! coordinates.
 //!
-//! `time` is whatever depends on time alone, `correct` leads to the next iterate of the torn
-//! coordinates, `rates` gives all coordinates with q̇ and q̈, and `verify` is C as it was written,
-//! of the coordinates that were given: nothing of it can cancel against how they were found.
+//! `time` contains everything that depends on time alone. `correct` computes the next iterate of
+//! the torn coordinates. `rates` computes all coordinates with q̇ and q̈. `verify` is C as it was
+//! written, at the coordinates that were found; no term of it can cancel against their computation.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Function, Graph, Input, LeafUse, Node, Source, evaluate};
@@ -15,11 +16,11 @@ use super::substitute::{Order, substitute};
 use crate::model::law::Law;
 use crate::system::System;
 
-/// Coordinates may be off by this share of themselves, and of their sizes, in what chooses between
-/// sides. \[-\]
+/// The error of coordinates in branch selections, as a share of themselves and of their sizes.
+/// \[-\]
 const NEAR: f64 = 1e-12;
 
-/// Where an elimination is chosen.
+/// The position at which an elimination is chosen.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pose<'a> {
     pub t: f64,
@@ -31,44 +32,52 @@ pub(crate) struct Pose<'a> {
 /// A whole mechanism as straight-line stages. Inputs are time, [`Input::State`] of torn
 /// coordinates, and in `verify` [`Input::Column`] of all coordinates.
 pub(crate) struct Program {
+    /// The graph of all stages.
     pub graph: Graph,
+    /// The laws of the graph, by their indices.
     pub laws: Vec<Law>,
     /// The numbers and laws that differ from case to case.
     pub free: Free,
-    /// The coordinates that are left to Newton's method, and by how much they are to be corrected:
-    /// C_q Δq = −C.
+    /// The coordinates that Newton's method computes, by their indices in the system.
     pub torn: Vec<usize>,
+    /// For each torn coordinate its correction, from C_q Δq = −C.
     pub correction: Vec<Node>,
-    /// The rows that are left, and their nodes: −C where all else is put in.
+    /// The remaining rows, by their indices in the system.
     pub rows: Vec<usize>,
+    /// For each remaining row −C with all explicit coordinates substituted.
     pub left: Vec<Node>,
-    /// Pivots and determinants of each block of the elimination.
+    /// For each block of the elimination its pivots and determinants.
     pub guards: Vec<Vec<Node>>,
-    /// Their values where the elimination was chosen.
+    /// The values of the guards at the position at which the elimination was chosen.
     pub chosen: Vec<Vec<f64>>,
-    /// All coordinates, the last correction of each, q̇ and q̈, and q⃛ where that is asked for.
+    /// The coordinates, by their indices in the system.
     pub values: Vec<Node>,
+    /// The last correction of each coordinate.
     pub corrections: Vec<Node>,
+    /// q̇ of each coordinate.
     pub rates: Vec<Node>,
+    /// q̈ of each coordinate.
     pub second_rates: Vec<Node>,
+    /// q⃛ of each coordinate; empty unless the jerk is computed.
     pub third_rates: Vec<Node>,
-    /// The nodes that choose between sides where coordinates move: conditions and whole numbers.
+    /// The nodes that select branches depending on coordinates: conditions and integers.
     pub sides: Vec<Node>,
-    /// C as written, of the coordinates `values`.
+    /// C as written, at the coordinates `values`, one node for each row of the system.
     pub verify: Vec<Node>,
-    /// Sizes of the blocks that are solved together.
+    /// The sizes of the blocks that are solved together.
     pub blocks: Vec<usize>,
 }
 
-/// Why a mechanism with repeated equations cannot be compiled.
+/// The reason why a mechanism with redundant equations cannot be compiled.
 pub(crate) const REDUNDANT: &str = "it has more equations than coordinates";
 
-/// The program of a system, its elimination chosen at a pose; with or without q⃛.
+/// Makes the program of a system with its elimination chosen at a pose, with or without q⃛.
 pub(crate) fn program(system: &System, pose: Pose<'_>, jerk: bool) -> Result<Program, Refusal> {
     program_of_cases(system, pose, jerk, Differences::default())
 }
 
-/// The same for many cases, of which the system is one: what differs between them is left free.
+/// Makes one program for many cases, of which the system is one. Numbers that differ between cases
+/// become inputs.
 pub(crate) fn program_of_cases(
     system: &System,
     pose: Pose<'_>,
@@ -92,7 +101,7 @@ pub(crate) fn program_of_cases(
     Ok(program)
 }
 
-/// The elimination of what is left where rows give what they give.
+/// Eliminates the remaining rows after substitution.
 pub(super) fn eliminated<'o>(
     reduced: &mut Reduced<'_>,
     whole: &Whole,
@@ -108,15 +117,18 @@ pub(super) fn eliminated<'o>(
     Elimination::new(&mut reduced.graph, order, &cells, pose.sizes, at)
 }
 
-/// All stages by the elimination, told once for each of its right sides: those of corrections, q̇,
-/// q̈ and q⃛; `values` are the nodes of coordinates.
+/// Builds all stages. The elimination is used once for each of its right sides: those of
+/// corrections, q̇, q̈ and q⃛. `values` are the nodes of coordinates.
+///
+/// The phases are: the corrections from −C, the velocities from −C_t, the accelerations and jerk,
+/// the branch selections, and the check of C as written.
 pub(super) fn finished(
     whole: &Whole,
     order: &Order,
     (mut reduced, values): (Reduced<'_>, Vec<Node>),
     [elimination, of_rates, of_second_rates, of_third_rates]: [&Elimination<'_>; 4],
 ) -> Program {
-    // Given rows are met by what they give.
+    // Explicit rows are satisfied by substitution.
     let zero = reduced.graph.zero();
     let mut b = vec![zero; whole.rows.len()];
     for &row in &order.rows {
@@ -164,7 +176,7 @@ pub(super) fn finished(
     }
 }
 
-/// q⃛ of C_q q⃛ = −g‴(0), if rows have that.
+/// Solves q⃛ of C_q q⃛ = −g‴(0), if the rows contain its terms.
 fn third_rates(
     reduced: &mut Reduced<'_>,
     whole: &Whole,
@@ -181,7 +193,7 @@ fn third_rates(
     elimination.solve(&mut reduced.graph, &b)
 }
 
-/// The nodes that choose between sides and are not known beforehand, each once.
+/// Returns the nodes that select branches and are not constant, each once.
 fn sides(reduced: &mut Reduced<'_>, whole: &Whole) -> Vec<Node> {
     let mut sides: Vec<Node> = whole.sides.iter().map(|side| reduced.of(*side)).collect();
     sides.retain(|side| reduced.graph.known_value(*side).is_none());
@@ -190,9 +202,8 @@ fn sides(reduced: &mut Reduced<'_>, whole: &Whole) -> Vec<Node> {
     sides
 }
 
-/// For each gap a node that is 1, and not a number where the gap is so small that rounding of
-/// coordinates closes it: which side is chosen there is left to single steps, that engines do not
-/// differ.
+/// Returns for each gap a node that is 1, or NaN if the gap is so small that rounding of
+/// coordinates closes it. Single steps then decide the branch, so that engines do not differ.
 fn undecided(whole: &mut Whole, sizes: &[f64]) -> Vec<Node> {
     let graph = &mut whole.graph;
     let mut nodes = Vec::new();
@@ -212,14 +223,14 @@ fn undecided(whole: &mut Whole, sizes: &[f64]) -> Vec<Node> {
         }
         let gap = graph.call(Function::Abs, gap);
         let left = graph.sub(gap, allowed);
-        // The root of a negative number is none, and neither is its sign.
+        // The root of a negative number is NaN, and so is its sign.
         let root = graph.call(Function::Sqrt, left);
         nodes.push(graph.call(Function::Signum, root));
     }
     nodes
 }
 
-/// The nodes with their signs changed.
+/// Returns the nodes with opposite signs.
 fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec<Node> {
     nodes
         .map(|node| {
@@ -229,7 +240,7 @@ fn opposite(reduced: &mut Reduced<'_>, nodes: impl Iterator<Item = Node>) -> Vec
         .collect()
 }
 
-/// The slopes of all rows at a pose.
+/// Returns the slopes of all rows at a pose.
 pub(super) fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
     let nodes: Vec<Node> =
         whole.rows.iter().flat_map(|row| row.slopes.iter().map(|(_, slope)| *slope)).collect();
@@ -237,22 +248,22 @@ pub(super) fn slopes(whole: &Whole, pose: Pose<'_>) -> Vec<Vec<f64>> {
     whole.rows.iter().map(|row| all.by_ref().take(row.slopes.len()).collect()).collect()
 }
 
-/// The numbers of nodes.
+/// Returns the values of nodes.
 pub(crate) fn numbers(graph: &Graph, nodes: &[Node], source: &impl Source<f64>) -> Vec<f64> {
     let results = evaluate(graph, nodes, source);
     nodes.iter().map(|node| results.number(*node).unwrap_or(f64::NAN)).collect()
 }
 
-/// A pose as what a graph reads.
+/// A pose as the input of a graph.
 pub(crate) struct At<'a> {
     pub pose: Pose<'a>,
     pub laws: &'a [Law],
-    /// The values of parameters that are free.
+    /// The values of free parameters.
     pub free: &'a [f64],
 }
 
 impl Whole {
-    /// A pose of the case that was gathered.
+    /// Returns a pose of the gathered case.
     pub(super) fn at<'a>(&'a self, pose: Pose<'a>) -> At<'a> {
         At { pose, laws: &self.laws, free: &self.free.values }
     }
@@ -283,7 +294,7 @@ impl Source<f64> for At<'_> {
     }
 }
 
-/// A derivative of a law, by its number.
+/// Returns a derivative of a law, by its index.
 pub(super) fn law_at(laws: &[Law], law: usize, x: f64, order: u8) -> f64 {
     let at = |law: &Law| {
         if order == 4 { Some(law.fourth(x)) } else { law.jet(x).get(usize::from(order)).copied() }
@@ -293,7 +304,7 @@ pub(super) fn law_at(laws: &[Law], law: usize, x: f64, order: u8) -> f64 {
 
 #[cfg(test)]
 impl Program {
-    /// All that is asked for, stage by stage.
+    /// Returns all requested nodes, stage by stage.
     pub(crate) fn outputs(&self) -> Vec<Node> {
         let stages = [
             &self.correction,

@@ -1,5 +1,5 @@
-//! Which coordinates a row gives: q_j = −rest/c, where the row is c q_j + rest with a constant c.
-//! The others are torn: Newton's method is left with them, and with the rows that give nothing.
+//! Finds the coordinates that a row determines: q_j = −rest/c, if the row is c q_j + rest with a
+//! constant c. The others are torn: Newton's method computes them from the remaining rows.
 
 use std::collections::{BTreeSet, HashSet};
 
@@ -8,37 +8,38 @@ use kin_graph::{Graph, Input, Node, Op};
 use super::gather::{Row, Whole};
 use super::kind::SELF;
 
-/// A constant factor is at least this share of the largest slope of its row, both by the sizes of
-/// coordinates, where the guess is.   \[-\]
+/// A constant factor must be at least this share of the largest slope of its row at the guess, in
+/// units of the sizes of coordinates. \[-\]
 const SHARE: f64 = 0.1;
 
-/// A coordinate that a row gives.
+/// A coordinate that a row determines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Explicit {
     pub row: usize,
     pub column: usize,
-    /// The constant ∂C_row/∂q_column.
+    /// The constant factor ∂C_row/∂q_column.
     pub factor: f64,
-    /// The row without it.
+    /// The row without that term.
     pub rest: Node,
 }
 
-/// The coordinates that are given, each by those before it and by torn ones, and the rows that are
-/// left.
+/// The explicit coordinates, each from those before it and torn ones, and the remaining rows.
 #[derive(Debug, Default)]
 pub(crate) struct Order {
+    /// The explicit coordinates, in the order of computation.
     pub explicit: Vec<Explicit>,
+    /// The torn coordinates, by their indices in the system.
     pub torn: Vec<usize>,
-    /// The rows that are left, as many as there are torn coordinates.
+    /// The remaining rows, as many as there are torn coordinates.
     pub rows: Vec<usize>,
 }
 
-/// Of a mechanism with as many rows as coordinates. `slopes` has the value of each slope of each
-/// row at the guess, `sizes` the sizes of coordinates.
+/// Finds the order for a mechanism with as many rows as coordinates. `slopes` contains the values
+/// of all slopes of each row at the guess, `sizes` the sizes of coordinates.
 pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Order {
     let eligible = eligible(whole, slopes, sizes);
     let zero = whole.graph.zero();
-    // A coordinate that a row hangs on by steps alone has to be known before it, too.
+    // A coordinate on which a row depends through steps only must be known before the row too.
     let steps = |row: &Row| row.steps.iter().map(|column| (*column, zero)).collect::<Vec<_>>();
     let all: Vec<Vec<(usize, Node)>> =
         whole.rows.iter().map(|row| [&row.slopes[..], &steps(row)].concat()).collect();
@@ -46,8 +47,8 @@ pub(crate) fn substitute(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) 
     ordered(&cells, whole.n, eligible)
 }
 
-/// An order of rows with these cells, in so many coordinates, by the coordinates that each row
-/// could give.
+/// Orders rows with these entries in n coordinates. `eligible` contains the coordinates that each
+/// row could determine.
 pub(crate) fn ordered(cells: &[&[(usize, Node)]], n: usize, eligible: Vec<Vec<Explicit>>) -> Order {
     let mut search = Search::new(cells, n, eligible);
     while search.left > 0 {
@@ -62,7 +63,7 @@ pub(crate) fn ordered(cells: &[&[(usize, Node)]], n: usize, eligible: Vec<Vec<Ex
     order
 }
 
-/// The cells of a row that are constant and large in it, with their constants.
+/// Returns the entries of a row that are constant and large in it, with their values.
 pub(crate) fn constants(
     graph: &Graph,
     cells: &[(usize, Node)],
@@ -80,7 +81,7 @@ pub(crate) fn constants(
     cells.iter().filter_map(constant).filter(|(_, factor)| *factor != 0.0).collect()
 }
 
-/// Of each row the coordinates that it could give, with factors and rests.
+/// Returns for each row the coordinates that it could determine, with factors and rests.
 fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Explicit>> {
     let mut all = Vec::with_capacity(whole.rows.len());
     for (row, values) in slopes.iter().enumerate() {
@@ -98,9 +99,9 @@ fn eligible(whole: &mut Whole, slopes: &[Vec<f64>], sizes: &[f64]) -> Vec<Vec<Ex
     all
 }
 
-/// A node as c q_j + rest, if it is of that form.
+/// Returns a node as c q_j + rest, if it has that form.
 fn split(graph: &mut Graph, node: Node, own: Node) -> Option<(f64, Node)> {
-    // Operands have smaller numbers than what is computed from them.
+    // Operands have smaller indices than their results.
     if node < own {
         return Some((0.0, node));
     }
@@ -133,7 +134,7 @@ fn split(graph: &mut Graph, node: Node, own: Node) -> Option<(f64, Node)> {
     Some((factor, rest))
 }
 
-/// True if a node is computed from another one. A row is small beside the graph of all.
+/// Returns true if a node depends on another one. A row is small compared with the whole graph.
 fn reads(graph: &Graph, node: Node, wanted: Node) -> bool {
     let mut seen = HashSet::new();
     let mut open = vec![node];
@@ -151,16 +152,17 @@ fn reads(graph: &Graph, node: Node, wanted: Node) -> bool {
 struct Search {
     order: Order,
     eligible: Vec<Vec<Explicit>>,
-    /// The rows of each coordinate.
+    /// For each coordinate the rows that contain it.
     readers: Vec<Vec<usize>>,
     known: Vec<bool>,
     used: Vec<bool>,
-    /// Of each row how many coordinates are not known, and how many of those it could give.
+    /// For each row the number of its unknown coordinates; `could` counts those that it could
+    /// determine.
     unknown: Vec<usize>,
     could: Vec<usize>,
-    /// Rows with one unknown, which they give, the first one last.
+    /// The rows with one unknown that they determine, the first one last.
     ready: Vec<usize>,
-    /// Rows that could give one of their unknowns, by how many there are.
+    /// The rows that could determine one of their unknowns, as (number of unknowns, row).
     open: BTreeSet<(usize, usize)>,
     left: usize,
 }
@@ -195,7 +197,7 @@ impl Search {
         }
     }
 
-    /// The one unknown of a row is given by it, unless it has become known meanwhile.
+    /// Determines the only unknown of a row, unless it has become known meanwhile.
     fn give(&mut self, row: usize) {
         let Some(found) =
             self.eligible[row].iter().find(|found| !self.known[found.column]).copied()
@@ -209,8 +211,8 @@ impl Search {
         }
     }
 
-    /// Tears a coordinate of the row that is nearest to giving one; one that it could not give, if
-    /// there is any, and that most rows read.
+    /// Tears a coordinate of the row with the fewest unknowns. It prefers one that the row could
+    /// not determine, and then the one that most rows contain.
     fn tear(&mut self, cells: &[&[(usize, Node)]]) {
         let row = self.open.first().map(|(_, row)| *row);
         let column = match row {
@@ -233,7 +235,7 @@ impl Search {
         }
     }
 
-    /// A coordinate is known from now on.
+    /// Marks a coordinate as known.
     fn note(&mut self, column: usize) {
         self.known[column] = true;
         self.left -= 1;

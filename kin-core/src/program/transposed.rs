@@ -1,5 +1,5 @@
-//! C_qᵀ λ = b as nodes, by the same elimination: U and L change places, and everything goes the
-//! other way.
+//! Solves C_qᵀ λ = b as nodes with the same elimination: U and L exchange places, and the order is
+//! reversed.
 
 use kin_graph::{Graph, Node};
 
@@ -8,11 +8,11 @@ use super::eliminate::{Block, Elimination};
 use super::reduce::over;
 
 impl Elimination<'_> {
-    /// λ of C_qᵀ λ = b, by rows of the whole; b by coordinates.
+    /// Returns λ of C_qᵀ λ = b, by rows of the whole system; b is indexed by coordinates.
     pub(crate) fn solve_transposed(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let (mut b, mut lambda) = (b.to_vec(), vec![graph.zero(); b.len()]);
-        // No row that is left has a coordinate that is given, once multiples of the given rows are
-        // taken out.
+        // No remaining row contains an explicit coordinate after multiples of the explicit rows are
+        // subtracted.
         for (own, cells) in self.order.explicit.iter().zip(&self.given).rev() {
             let part = over(graph, b[own.column], own.factor);
             lambda[own.row] = part;
@@ -37,7 +37,7 @@ impl Elimination<'_> {
 }
 
 impl Block {
-    /// λ of its rows; b of its columns is used up.
+    /// Returns λ of the block's rows. It uses up b of the block's columns.
     fn solve_transposed(&self, graph: &mut Graph, b: &mut [Node]) -> Vec<(usize, Node)> {
         let mut own: Vec<(usize, Node)> = Vec::new();
         for pivot in &self.pivots {
@@ -61,7 +61,7 @@ impl Block {
 }
 
 impl Cofactors {
-    /// λ of its rows, b by its columns.
+    /// Returns λ of the block's rows, from b by its columns.
     fn solve_transposed(&self, graph: &mut Graph, b: &[Node]) -> Vec<Node> {
         let zero = graph.zero();
         let mut part = |row: usize| {
@@ -75,7 +75,7 @@ impl Cofactors {
     }
 }
 
-/// x −= a b
+/// Replaces x by x − a b.
 pub(crate) fn take(graph: &mut Graph, x: &mut Node, a: Node, b: Node) {
     let product = graph.mul(a, b);
     *x = graph.sub(*x, product);

@@ -1,5 +1,5 @@
-//! A mechanism as one program: the coordinates that its rows give, those that are left to Newton's
-//! method, and its size.
+//! A mechanism as one compiled program: the coordinates that its rows determine, those that remain
+//! for Newton's method, and its size.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use super::newton::{Newton, SolverOptions, compiled, first_position};
 use crate::model::error::Result;
 use crate::system::System;
 
-/// A mechanism that can be compiled, as [`crate::Engine::Compiled`] runs it.
+/// The program of a mechanism, which [`crate::Engine::Compiled`] runs.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -30,16 +30,15 @@ pub struct Compiled {
 }
 
 impl System {
-    /// Compiles all equations to one program, its elimination chosen at the position of t = 0, and
-    /// tells what came of it. The program is kept: runs that begin there are computed by it from 32
-    /// times on, and positions that [`System::solve_at`] looks for from near by, unless
-    /// [`SolverOptions::engine`] is [`crate::Engine::StepByStep`], until anything is set in the
-    /// system.
+    /// Compiles all equations to one program and returns its description. The elimination is chosen
+    /// at the position of t = 0.
     ///
-    /// So a loop that asks for one position after the other, as controllers do, is begun by this
-    /// call.
+    /// The system keeps the program until anything in it is set. Runs of at least 32 times that
+    /// begin at this position use it. [`System::solve_at`] uses it for positions near a known one,
+    /// unless [`crate::SolverOptions::engine`] is [`crate::Engine::StepByStep`]. A loop that
+    /// computes one position after the other, such as a controller, should begin with this call.
     ///
-    /// Errors: what stands in the way, by the name of its constraint; no position at t = 0.
+    /// Errors: the obstacle, with the name of its constraint; no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
         let options = SolverOptions::default();
         compiled::can_be(self).map_err(|refusal| compiled::refused(&refusal))?;
@@ -65,27 +64,30 @@ impl System {
 }
 
 impl Compiled {
-    /// The coordinates that a row gives, each from those before it: nothing is iterated for them.
+    /// Returns the coordinates that a row determines from the coordinates before it. They need no
+    /// iteration.
     pub fn substituted(&self) -> &[String] {
         &self.substituted
     }
 
-    /// The coordinates that are left to Newton's method.
+    /// Returns the coordinates that remain for Newton's method.
     pub fn unknowns(&self) -> &[String] {
         &self.unknowns
     }
 
-    /// How many of them are solved together, block by block, one block after the other.
+    /// Returns the number of coordinates of each block. A block is solved together; blocks follow
+    /// one another.
     pub fn blocks(&self) -> &[usize] {
         &self.blocks
     }
 
-    /// How many steps the program has: one is an operation, or a function, on many times at once.
+    /// Returns the number of steps of the program. A step is an operation, or a function, on many
+    /// times at once.
     pub fn steps(&self) -> usize {
         self.size[0]
     }
 
-    /// All of it in a few lines.
+    /// Returns a summary in a few lines.
     pub fn summary(&self) -> String {
         let given = self.substituted.len();
         let left = self.unknowns.len();

@@ -1,25 +1,26 @@
-//! The diagnosis of a failed run lives in a room above; solvers carry it as functions.
+//! Functions that explain a failed run. The diagnosis is in a higher room, so solvers receive it as
+//! functions.
 
 use crate::model::error::Error;
 use crate::solve::newton::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Model;
 
-/// Where an examination begins.
+/// Where a diagnosis begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Start<'a> {
-    /// A guess, from which the mechanism is assembled first.
+    /// A guess, from which the mechanism must be assembled.
     Guess(&'a [f64]),
-    /// A pose at which C = 0 holds, or nearly.
+    /// A pose with C = 0, at least nearly.
     Pose(&'a [f64]),
 }
 
 /// The functions that find out why a run has failed.
 #[derive(Clone, Copy)]
 pub(crate) struct Explain {
-    /// The error of a mechanism that cannot be driven at a time, with its diagnosis.
+    /// Returns the error of a mechanism that cannot be driven at a time, with its diagnosis.
     pub cannot_be_driven: fn(Model<'_>, Start<'_>, f64, &SolverOptions) -> Error,
-    /// An error of a run with what is wrong with the mechanism at that time, as far as the size of
-    /// the system allows to look for it.
+    /// Adds to an error of a run what is wrong with the mechanism at that time, if the system is
+    /// small enough.
     pub explained: fn(Error, &System, &SolverOptions) -> Error,
 }

@@ -1,5 +1,5 @@
-//! The motion that a run gives: position, velocity and acceleration over time, with names and
-//! units, and the quantities derived from them.
+//! Results of a run: position, velocity and acceleration over time, with names and units, and
+//! quantities derived from them.
 
 pub(crate) mod csv;
 mod distance;
@@ -68,7 +68,8 @@ impl Motion {
         self.worst.is_none_or(|(known, _)| outcome.residual > known)
     }
 
-    /// q, q̇, q̈ and q⃛ (or nothing) at one more time; `worst` is the row with the largest |C_i|.
+    /// Appends q, q̇, q̈ and q⃛ (or nothing) at one more time. `worst` is the row with the largest
+    /// |C_i|.
     #[inline(always)]
     pub(crate) fn append(
         &mut self,
@@ -91,7 +92,8 @@ impl Motion {
         self.residuals.push(outcome.residual);
     }
 
-    /// Takes the times from number `len` on back, the largest residual being this without them.
+    /// Removes the times from index `len` on. `worst` is the largest residual of the remaining
+    /// times.
     pub(crate) fn cut(&mut self, len: usize, worst: Option<(f64, usize)>) {
         let numbers = len * self.layout.len();
         self.times.truncate(len);
@@ -103,10 +105,12 @@ impl Motion {
         self.worst = worst;
     }
 
-    /// One coordinate over time, with its rates: a bare one, or a body's such as `crank.theta()`.
-    /// Those of the ground stand still.
+    /// Returns one coordinate over time with its derivatives: a scalar coordinate, or one of a body
+    /// such as `crank.theta()`.
     ///
-    /// Errors: a coordinate of another mechanism.
+    /// Coordinates of the ground are constant.
+    ///
+    /// Errors: the coordinate belongs to another mechanism.
     pub fn coordinate(&self, coordinate: impl Into<Coordinate>) -> Result<Quantity> {
         match self.layout.coordinate(&coordinate.into()) {
             Some(Place::Own { first, .. }) => Ok(self.column(first)),
@@ -129,7 +133,7 @@ impl Motion {
         }
     }
 
-    /// The planar body of that name, for [`Motion::point`] and [`Motion::coordinate`].
+    /// Returns the planar body with this name, for [`Motion::point`] and [`Motion::coordinate`].
     pub fn planar_named(&self, name: &str) -> Option<PlanarBody> {
         self.layout.bodies().into_iter().find_map(|(known, target)| match target {
             Target::Planar(body) if known == name => Some(body),
@@ -137,7 +141,7 @@ impl Motion {
         })
     }
 
-    /// The spatial body of that name.
+    /// Returns the spatial body with this name.
     pub fn spatial_named(&self, name: &str) -> Option<SpatialBody> {
         self.layout.bodies().into_iter().find_map(|(known, target)| match target {
             Target::Spatial(body) if known == name => Some(body),
@@ -145,9 +149,9 @@ impl Motion {
         })
     }
 
-    /// The coordinate of that name, such as `crank.theta`, over time.
+    /// Returns the coordinate with this name, such as `crank.theta`, over time.
     ///
-    /// Errors: no such coordinate.
+    /// Errors: there is no such coordinate.
     pub fn named(&self, name: &str) -> Result<Quantity> {
         match self.layout.names.iter().position(|known| known == name) {
             Some(column) => Ok(self.column(column)),
@@ -171,9 +175,9 @@ impl Motion {
         )
     }
 
-    /// Adds a derived quantity to the file: one value a time.
+    /// Adds a derived quantity to the file, with one value for each time.
     ///
-    /// Errors: wrong number of values, not finite, name empty or taken.
+    /// Errors: the number of values is wrong, a value is not finite, the name is empty or taken.
     pub fn add_output(&mut self, name: &str, unit: &str, values: Vec<f64>) -> Result<()> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "output" });
@@ -204,7 +208,7 @@ impl Motion {
 
     /// Adds r, v and a of a point of a body to the file, as `NAME.x`, `NAME.y`, `NAME.x'`, ….
     ///
-    /// Errors: a body of another mechanism, name empty or taken.
+    /// Errors: the body belongs to another mechanism, the name is empty or taken.
     pub fn add_point<B: Body>(
         &mut self,
         name: &str,

@@ -1,7 +1,7 @@
 //! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
 //!
-//! One iteration (`iterate`) serves single positions and redundant mechanisms (`redundant`), and
-//! one loop (`advance`) the smaller steps of time; `compiled` computes many times at once by a
+//! One iteration (`iterate`) serves single positions and redundant mechanisms (`redundant`). One
+//! loop (`advance`) makes the smaller steps of time. `compiled` computes many times at once with a
 //! program.
 
 mod advance;
@@ -29,30 +29,30 @@ use crate::system::evaluate::{Bad, Instant};
 use crate::system::{scale::Turned, stop};
 use iterate::single::Single;
 
-/// A position with a pivot below this cannot be told from a singular one.   \[-\]
+/// A position with a pivot below this value cannot be distinguished from a singular one. \[-\]
 pub(crate) const DOUBTFUL: f64 = RANK;
 
-/// Pivots of the recorded elimination differ from those of a complete one by less than this: below
-/// it the latter are asked.   \[-\]
+/// Pivots of the recorded elimination differ from those of a complete one by less than this factor.
+/// Below it the complete elimination decides. \[-\]
 const SIMILAR: f64 = 30.0;
 
-/// A row may be off by this share of its measure before it has jumped with the last correction,
+/// A row that is off by more than this share of its norm has jumped with the last correction,
 /// whatever the stop rule: see
-/// [`Equations::has_jumped`](crate::system::evaluate::Equations::has_jumped).   \[-\]
+/// [`Equations::has_jumped`](crate::system::evaluate::Equations::has_jumped). \[-\]
 const JUMPS: f64 = 1e-13;
 
-/// A damped step turns no body by more than this.   \[rad\]
+/// The largest rotation of a body in a damped step. \[rad\]
 const TURN: f64 = 1.0;
 
-/// Halvings of one damped step.
+/// The largest number of halvings of one damped step.
 const HALVINGS: usize = 24;
 
-/// Why an attempt failed, without text yet.
+/// The reason why an attempt failed, as data.
 #[derive(Clone, Debug)]
 pub(crate) enum Failure {
     NotFinite(Bad),
     Singular,
-    /// A constraint that closes the wrong way.
+    /// A constraint on the wrong branch, by its index.
     WrongBranch(usize),
     NoConvergence {
         row: usize,
@@ -60,32 +60,32 @@ pub(crate) enum Failure {
     },
 }
 
-/// Data of a successful attempt.
+/// The data of a successful attempt.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Outcome {
     pub iterations: usize,
     pub residual: f64,
 }
 
-/// How an attempt takes its steps.
+/// The kind of Newton steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Steps {
-    /// Full steps, whatever they do.
+    /// Full steps without a condition.
     Full,
-    /// Full steps that must shrink: the start is near.
+    /// Full steps that must shrink, because the start is near.
     Near,
-    /// Steps shortened until the residual falls.
+    /// Steps that are shortened until the residual falls.
     Damped,
 }
 
-/// The point in hand and the space to work in; stepping allocates nothing.
+/// The present point, with workspace buffers. A step allocates nothing.
 pub(crate) struct Newton<'a> {
     pub system: &'a System,
     pub options: &'a SolverOptions,
     pub q: Padded,
     pub qd: Padded,
     pub qdd: Padded,
-    /// q⃛ where it is asked for, else empty.
+    /// q⃛ if it is computed, otherwise empty.
     pub qddd: Padded,
     pub c: Padded,
     before: Vec<f64>,
@@ -93,18 +93,18 @@ pub(crate) struct Newton<'a> {
     pub linear: Linear,
     /// s_j, the characteristic size of each coordinate.
     pub sizes: Vec<f64>,
-    /// Slopes by which the sizes were measured.
+    /// The slopes from which the sizes were computed.
     turned: Turned,
-    /// 1 / s_j
+    /// 1 / s_j of each coordinate.
     shares: Padded,
-    /// How far each row may be off.
+    /// The allowance of each row.
     allowed: Vec<f64>,
     /// max |C_i| at the last linearization.
     residual: f64,
-    /// Newton steps of all attempts, and how many there were before this time.
+    /// The number of Newton steps of all attempts; `before` is the number before the present time.
     pub steps: usize,
     pub steps_before: usize,
-    /// True if a constraint can jump where coordinates move.
+    /// True if a constraint can jump when coordinates move.
     jumps: bool,
     /// True if a constraint can jump or has a kink.
     has_branches: bool,
@@ -137,20 +137,21 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// Gives each coordinate its characteristic size.
+    /// Sets the characteristic sizes of the coordinates.
     fn set_sizes(&mut self, sizes: Vec<f64>) {
         self.linear.set_sizes(&sizes);
         self.shares.iter_mut().zip(&sizes).for_each(|(share, size)| *share = size.recip());
         self.sizes = sizes;
     }
 
-    /// Newton's method from the point in hand; on success the matrix at the solution is factored.
+    /// Runs Newton's method from the present point. After success the matrix at the solution is
+    /// factored.
     pub(crate) fn solve(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         self.iterate(t, steps, false)
     }
 
-    /// The same where the point in hand is the solution of another time: only what depends on the
-    /// time is evaluated at first.
+    /// Runs Newton's method from the solution of another time: at first it evaluates only what
+    /// depends on time.
     pub(crate) fn solve_on(&mut self, t: f64, steps: Steps) -> Result<Outcome, Failure> {
         self.iterate(t, steps, true)
     }
@@ -175,8 +176,7 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// The outcome, unless the position is singular for all that rounding lets one tell, or not
-    /// what is meant.
+    /// Returns the outcome, unless the position is singular within rounding, or on a wrong branch.
     fn regular(&mut self, iterations: usize) -> Result<Outcome, Failure> {
         if self.linear.is_provisional() && !self.measured_here() {
             return Err(Failure::Singular);
@@ -192,15 +192,16 @@ impl<'a> Newton<'a> {
         Ok(Outcome { iterations, residual: self.residual })
     }
 
-    /// Rows and columns by what they are here and were at positions before: an iterate far off may
-    /// have had them much larger. False if C_q, which is factored anew, is singular.
+    /// Scales rows and columns by their present values and those at earlier positions, because an
+    /// iterate far away may have had much larger ones. Factors C_q again and returns false if it is
+    /// singular.
     #[cold]
     fn measured_here(&mut self) -> bool {
         self.linear.revoke();
         self.linear.measure() && self.linear.factor()
     }
 
-    /// True if the rank of C_q at the present point is one that a diagnosis calls less than n.
+    /// Returns true if a diagnosis would call the rank of C_q at the present point less than n.
     #[cold]
     fn is_singular(&self) -> bool {
         let model = self.system.model();
@@ -209,8 +210,8 @@ impl<'a> Newton<'a> {
         values.is_ok_and(|values| model.rank(&values, &model.measure(&self.q, t)) < self.q.len())
     }
 
-    /// Why the iteration came to no end: where C is met and still every step is long, C_q is
-    /// singular for all practical purposes.
+    /// Returns why the iteration did not end. If C is satisfied and every step is still long, C_q
+    /// is practically singular.
     fn failure(&mut self) -> Failure {
         if matches!(self.options.stop, Stop::Converged { .. }) && self.met() {
             return Failure::Singular;
@@ -219,7 +220,7 @@ impl<'a> Newton<'a> {
         Failure::NoConvergence { row, residual }
     }
 
-    /// C and C_q at the point in hand, and the measures of its rows.
+    /// Evaluates C and C_q at the present point, and the scales of its rows.
     pub(crate) fn linearize(&mut self, t: f64) -> Result<(), Failure> {
         let equations = self.system.equations();
         if self.instant.t() != t {
@@ -230,7 +231,7 @@ impl<'a> Newton<'a> {
         self.measure(true)
     }
 
-    /// The same where the point in hand is what it was at another time; true if C_q has changed.
+    /// Evaluates C and C_q if only the time has changed. Returns true if C_q has changed.
     fn relinearize(&mut self, t: f64) -> Result<bool, Failure> {
         let equations = self.system.equations();
         equations.set_time(t, &mut self.instant);
@@ -239,7 +240,7 @@ impl<'a> Newton<'a> {
         self.measure(changed).map(|()| changed)
     }
 
-    /// Makes −C the right side and measures C, and C_q if that is asked for; an error where a
+    /// Sets the right side to −C and scales C, and C_q if `matrix` is true. Returns an error if a
     /// number is not finite.
     #[inline(always)]
     fn measure(&mut self, matrix: bool) -> Result<(), Failure> {
@@ -251,14 +252,14 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// An error unless C and C_q are finite.
+    /// Returns an error unless C and C_q are finite.
     #[cold]
     fn finite(&self) -> Result<(), Failure> {
         self.system.equations().finite(&self.c, self.linear.values()).map_err(Failure::NotFinite)
     }
 
-    /// True if C = 0 holds to the tolerance, each row by its own measure; by the residual alone
-    /// where that is the stop rule.
+    /// Returns true if C = 0 holds within the tolerance, each row relative to its norm. If the stop
+    /// rule is the residual, only the residual counts.
     fn met(&mut self) -> bool {
         match self.options.stop {
             Stop::Converged { tolerance } => self.is_within(tolerance),
@@ -266,8 +267,8 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// True if C = 0 holds to the tolerance, each row by its own measure, where rounding of q is
-    /// allowed for.
+    /// Returns true if C = 0 holds within the tolerance, each row relative to its norm, with an
+    /// allowance for rounding of q.
     fn is_within(&mut self, tolerance: f64) -> bool {
         padded::largest_share(self.c.whole(), self.linear.row_units().whole()) <= tolerance || {
             let mut allowed = std::mem::take(&mut self.allowed);
@@ -278,7 +279,7 @@ impl<'a> Newton<'a> {
         }
     }
 
-    /// How far each row may be off at the point in hand.
+    /// Computes the allowance of each row at the present point.
     pub(crate) fn allow(&self, tolerance: f64, allowed: &mut Vec<f64>) {
         let entries = self.system.equations().entries.iter().zip(self.linear.values());
         let entries =
@@ -286,13 +287,13 @@ impl<'a> Newton<'a> {
         stop::allowances(tolerance, self.linear.norms(), entries, &self.q, allowed);
     }
 
-    /// q += dq
+    /// Adds the correction: q += dq.
     fn correct(&mut self) {
         padded::add(self.q.whole_mut(), self.linear.whole_solution());
     }
 
-    /// q += dq where nothing is looked at any more. Constraints that can jump are looked at all the
-    /// same: false if one has jumped.
+    /// Adds the last correction, after which nothing is evaluated again except constraints that can
+    /// jump. Returns false if one has jumped.
     #[inline(always)]
     fn correct_last(&mut self) -> bool {
         if self.jumps {
@@ -313,7 +314,7 @@ impl<'a> Newton<'a> {
         !has_jumped
     }
 
-    /// Sets the instant to the position in hand, or to the one before the last step.
+    /// Sets the instant to the present position, or to the one before the last step.
     fn instant_at(&mut self, t: f64, before: bool) {
         let equations = self.system.equations();
         if self.instant.t() != t {
@@ -322,15 +323,15 @@ impl<'a> Newton<'a> {
         equations.set_position(if before { &self.before } else { &self.q }, &mut self.instant);
     }
 
-    /// Takes a position that was met before as the one in hand; true if its matrix is regular.
+    /// Restores a position that was satisfied before. Returns true if its matrix is regular.
     #[cold]
     fn return_to(&mut self, q: &[f64], t: f64) -> bool {
         self.q.copy_from_slice(q);
         self.linearize(t).is_ok() && self.linear.factor()
     }
 
-    /// q += λ dq with the largest λ = 1, ½, ¼, … that lets Σ (C_i / norm_i)² fall (Armijo) and
-    /// turns nothing too far.
+    /// Adds λ dq with the largest λ = 1, ½, ¼, … for which Σ (C_i / norm_i)² falls (Armijo) and
+    /// nothing rotates too far.
     fn damped(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         let units = &self.system.layout().units;
@@ -359,18 +360,18 @@ impl<'a> Newton<'a> {
         Err(failure)
     }
 
-    /// Σ (C_i / norm_i)² with the norms of the last linearization.
+    /// Returns Σ (C_i / norm_i)² with the norms of the last linearization.
     pub(crate) fn merit(&self) -> f64 {
         self.c.iter().zip(self.linear.norms()).map(|(c, norm)| (c / norm).powi(2)).sum()
     }
 
-    /// 1 / s_j, one over the characteristic size of each coordinate.
+    /// Returns 1 / s_j of each coordinate.
     pub(crate) fn shares(&self) -> &Padded {
         &self.shares
     }
 }
 
-/// The largest of non-negative numbers, 0 of none; NaN counts as infinite.
+/// Returns the largest of nonnegative numbers, or 0 if there are none. NaN counts as infinite.
 pub(crate) fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |m, x| {
         if x <= m {

@@ -1,12 +1,12 @@
-//! Axes whose components are set one by one. A constraint keeps unit vectors; the directions that
-//! they are made of are kept here as they were given, so that an axis does not hang on the order in
-//! which its components were set, nor on what they were before.
+//! Axes whose components are set one by one. A constraint stores unit vectors; this module stores
+//! the directions as they were given. An axis therefore does not depend on the order in which its
+//! components were set, nor on their earlier values.
 
 use super::System;
 use crate::model::describer::Describer;
 use crate::numbers::algebra::Axis;
 
-/// An axis of a constraint, and the directions along it and across it that it is made of.
+/// An axis of a constraint, with the given directions along it and across it.
 #[derive(Clone, Debug)]
 pub(crate) struct Given {
     block: usize,
@@ -21,23 +21,23 @@ impl Given {
 }
 
 impl System {
-    /// The axis and the number of its component that a parameter such as `h_i.x` is; `None` if it
-    /// is none.
+    /// Returns the axis and the index of its component for a parameter such as `h_i.x`, or `None`
+    /// if the parameter is no component.
     pub(super) fn component(&self, block: usize, parameter: &str) -> Option<(String, usize)> {
         let (axis, component) = parameter.rsplit_once('.')?;
         let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
         self.directions(block, axis).map(|_| (axis.to_string(), k))
     }
 
-    /// The component of an axis that was given, where it was.
+    /// Returns the component of an axis as it was given, if it was given.
     pub(super) fn given_component(&self, block: usize, parameter: &str) -> Option<f64> {
         let (axis, component) = parameter.rsplit_once('.')?;
         let k = ["x", "y", "z"].iter().position(|known| *known == component)?;
         self.axes.iter().find(|given| given.is(block, axis)).map(|given| given.directions[k])
     }
 
-    /// Sets component k of the axis that parameter `index` of a constraint is of; false if it
-    /// cannot be set.
+    /// Sets component k of the axis that contains parameter `index` of a constraint. Returns false
+    /// if it cannot be set.
     pub(super) fn put_numbered(
         &mut self,
         block: usize,
@@ -58,14 +58,14 @@ impl System {
         self.put_component(block, (&axis, k), value)
     }
 
-    /// The direction along an axis and the one across it, as they were given; `None` if there is no
-    /// axis of that name.
+    /// Returns the given directions along an axis and across it, or `None` if there is no axis with
+    /// this name.
     pub(super) fn directions(&self, block: usize, name: &str) -> Option<[f64; 6]> {
         let given = self.axes.iter().find(|given| given.is(block, name));
         given.map(|given| given.directions).or_else(|| self.directions_now(block, name))
     }
 
-    /// The unit vectors that the constraint has.
+    /// Returns the unit vectors that the constraint stores.
     fn directions_now(&self, block: usize, name: &str) -> Option<[f64; 6]> {
         let constraint = &self.equations.blocks.get(block)?.constraint;
         if !constraint.clone_boxed().set_parameter(&Axis::name_of(name, 0), 1.0) {
@@ -82,7 +82,7 @@ impl System {
         Some(directions)
     }
 
-    /// Sets a component of the direction along an axis; false if it cannot be set.
+    /// Sets a component of the direction along an axis. Returns false if it cannot be set.
     pub(super) fn put_component(
         &mut self,
         block: usize,
@@ -93,7 +93,8 @@ impl System {
         directions[k] = value;
         self.forget_axis(block, name);
         self.axes.push(Given { block, name: name.to_string(), directions });
-        // Across an axis along the direction that was across it anything will do.
+        // If the axis now lies along the old direction across it, any other direction across
+        // serves.
         let chosen = Axis::given(&directions);
         let axis = if chosen.is_sound() { chosen } else { Axis::given(&directions[..3]) };
         let constraint = &mut self.equations.blocks[block].constraint;
@@ -101,7 +102,7 @@ impl System {
         parts.all(|(part, value)| constraint.set_parameter(&Axis::name_of(name, part), value))
     }
 
-    /// The axis is another one from now on.
+    /// Discards the given directions, because the axis has changed.
     pub(super) fn forget_axis(&mut self, block: usize, name: &str) {
         self.axes.retain(|given| !given.is(block, name));
     }

@@ -1,30 +1,31 @@
-//! Things that upper rooms make of a system once and keep beside it, until anything in it is set.
+//! Values that other rooms derive from a system once and keep with it, until something in the
+//! system is set.
 
 use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};
 
 type Thing = Arc<dyn Any + Send + Sync>;
 
-/// One thing of each type. A copy of a system has the same.
+/// One value of each type. A copy of a system shares them.
 #[derive(Default)]
 pub(crate) struct Cache(Mutex<Vec<Thing>>);
 
 impl Cache {
-    /// The thing of that type, if there is one.
+    /// Returns the value of this type, if there is one.
     pub(crate) fn get<T: Any + Send + Sync>(&self) -> Option<Arc<T>> {
         let all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         let known = all.iter().find(|known| (***known).is::<T>()).cloned();
         known.and_then(|known| known.downcast().ok())
     }
 
-    /// Keeps this from now on, in place of what was there of its type.
+    /// Stores a value and replaces the one of the same type.
     pub(crate) fn put<T: Any + Send + Sync>(&self, thing: Arc<T>) {
         let mut all = self.0.lock().unwrap_or_else(PoisonError::into_inner);
         all.retain(|known| !(**known).is::<T>());
         all.push(thing);
     }
 
-    /// Nothing is kept any more.
+    /// Discards all values.
     pub(super) fn forget(&mut self) {
         *self = Cache::default();
     }

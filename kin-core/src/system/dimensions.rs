@@ -1,4 +1,4 @@
-//! Named dimensions of a system: their values, and all that hangs on them.
+//! Named dimensions of a system: their values, and the numbers that depend on them.
 
 use std::sync::Arc;
 
@@ -18,14 +18,14 @@ use crate::numbers::algebra::Axis;
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual64, Real};
 
-/// The dimensions of a system, and their values.
+/// The dimensions of a system and their values.
 #[derive(Clone)]
 pub(super) struct Dimensions {
     all: Arc<Snapshot>,
     values: Vec<f64>,
 }
 
-/// A dimension that may be off.
+/// A dimension with a tolerance.
 #[derive(Clone)]
 pub(crate) struct Toleranced {
     pub name: String,
@@ -35,26 +35,28 @@ pub(crate) struct Toleranced {
     pub clearance: Option<String>,
 }
 
-/// A number of a constraint that moves with what derivatives are asked by.
+/// A number of a constraint that depends on the variable of a derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Moved {
-    /// The constraint.
+    /// The index of the constraint.
     pub block: usize,
-    /// Its name there: that of a parameter, or of one of the nine numbers of an axis.
+    /// The name of the number in the constraint: a parameter, or one of the nine numbers of an
+    /// axis.
     pub name: String,
-    /// Its derivative.
+    /// The derivative of the number by the variable.
     pub slope: f64,
 }
 
 impl System {
-    /// Names and values of the dimensions, in the order in which they were made; an expression that
-    /// was given a name is one of them.
+    /// Returns the names and values of the dimensions in the order of their declaration, including
+    /// named expressions.
     pub fn dimensions(&self) -> Vec<(String, f64)> {
         let Some(Dimensions { all, values }) = &self.dimensions else { return Vec::new() };
         all.entries.iter().map(|entry| entry.name.clone()).zip(all.named(values)).collect()
     }
 
-    /// The dimensions that may be off, but for those of masses and loads alone, which move nothing.
+    /// Returns the dimensions with a tolerance. Dimensions of masses and loads alone are omitted,
+    /// because they do not change the motion.
     pub(crate) fn toleranced(&self) -> Vec<Toleranced> {
         let Some(Dimensions { all, .. }) = &self.dimensions else { return Vec::new() };
         let moves = |k: usize| all.on(k).any(|number| !all.hung[number].at.is_beside());
@@ -73,8 +75,8 @@ impl System {
         all.entries.iter().enumerate().filter_map(off).collect()
     }
 
-    /// The system with this pose for a guess: no other one is preferred, and it hangs on no
-    /// dimensions.
+    /// Returns the system with this pose as its guess, without preferences and without guesses that
+    /// depend on dimensions.
     pub(crate) fn guessed(&self, q: &[f64]) -> System {
         let mut system = self.clone();
         system.forget();
@@ -87,8 +89,8 @@ impl System {
         system
     }
 
-    /// The system with dimensions that are off by so much, beyond their ranges too; `None` where
-    /// that makes no sense.
+    /// Returns the system with dimensions that deviate by these values, also beyond their ranges.
+    /// Returns `None` if a value makes the system invalid.
     pub(crate) fn off<'a>(
         &self,
         by: impl IntoIterator<Item = (&'a String, f64)>,
@@ -103,8 +105,8 @@ impl System {
         Some(system)
     }
 
-    /// Bounds of all numbers that hang on dimensions, with their places, where dimensions of these
-    /// names are those series and the others what they are.
+    /// Returns bounds of all numbers that depend on dimensions, with their places. The named
+    /// dimensions have these series; the others have their values.
     pub(crate) fn hung_over(&self, names: &[String], all: &[Series]) -> Vec<(Bound, Series)> {
         let Some(Dimensions { all: own, values }) = &self.dimensions else { return Vec::new() };
         let mut series: Vec<Series> = values.iter().map(|x| Series::number(*x)).collect();
@@ -116,12 +118,12 @@ impl System {
         own.hung.iter().map(|hung| hung.at.clone()).zip(own.over(&series)).collect()
     }
 
-    /// Takes the dimensions of the mechanism that it was built of.
+    /// Stores the dimensions of the mechanism from which the system was built.
     pub(crate) fn set_dimensions(&mut self, all: Option<Snapshot>) {
         self.dimensions = all.map(|all| Dimensions { values: all.nominal(), all: Arc::new(all) });
     }
 
-    /// The number of the dimension of that name.
+    /// Returns the index of the dimension with this name.
     pub(super) fn dimension_number(&self, name: &str) -> Option<usize> {
         self.dimensions.as_ref()?.all.entries.iter().position(|entry| entry.name == name)
     }
@@ -130,7 +132,7 @@ impl System {
         self.dimensions.as_ref()?.all.entries.get(k)
     }
 
-    /// An error unless a dimension can be set: an expression cannot.
+    /// Returns an error unless a dimension can be set; an expression cannot.
     pub(super) fn settable_dimension(&self, k: usize) -> Result<()> {
         match self.dimension_entry(k) {
             Some(entry) if entry.is_derived => Err(DimensionError::invalid(
@@ -141,7 +143,7 @@ impl System {
         }
     }
 
-    /// Sets a dimension and all that hangs on it; on an error the old value stays.
+    /// Sets a dimension and all numbers that depend on it. After an error the old value remains.
     pub(super) fn set_dimension(&mut self, k: usize, value: f64) -> Result<()> {
         self.settable_dimension(k)?;
         self.check_range(k, value)?;
@@ -154,7 +156,7 @@ impl System {
         checked
     }
 
-    /// An error where the value that a dimension has been put to is none that it can be set to.
+    /// Returns an error if the stored value of a dimension is not allowed.
     pub(super) fn check_dimension_as_put(&self, k: usize) -> Result<()> {
         let value = self.dimensions.as_ref().and_then(|all| all.values.get(k).copied());
         value.map_or(Ok(()), |value| {
@@ -174,8 +176,8 @@ impl System {
         }
     }
 
-    /// Sets a dimension and all that hangs on it, however little sense that makes; false if a
-    /// number of it cannot be set.
+    /// Sets a dimension and all numbers that depend on it, without any check. Returns false if a
+    /// number cannot be set.
     pub(super) fn put_dimension(&mut self, k: usize, value: f64) -> bool {
         let Some(Dimensions { all, values }) = &mut self.dimensions else { return false };
         let all = Arc::clone(all);
@@ -215,7 +217,7 @@ impl System {
         done
     }
 
-    /// The constraint of that place, to be changed.
+    /// Returns the constraint at this place, mutable.
     fn held_mut(&mut self, of: Holder) -> Option<&mut Box<dyn Constraint>> {
         match of {
             Holder::Constraint(k) => {
@@ -225,7 +227,7 @@ impl System {
         }
     }
 
-    /// Sets parameter `index` of a constraint; false if it cannot be set.
+    /// Sets parameter `index` of a constraint. Returns false if it cannot be set.
     fn put_in(&mut self, of: Holder, index: usize, value: f64) -> bool {
         match of {
             Holder::Constraint(block) => self.put(CasePlace::Parameter { block, index }, value),
@@ -235,13 +237,13 @@ impl System {
         }
     }
 
-    /// The guess of the spatial body whose coordinates begin there.
+    /// Sets the guess of the spatial body whose coordinates begin at `first`.
     fn place(&mut self, first: usize, pose: SpatialPose) {
         let pose = pose.coordinates().map(Dimension::value);
         self.initial[first..first + pose.len()].copy_from_slice(&pose);
     }
 
-    /// Another value for a measure that is preferred.
+    /// Changes the value of a preferred measure.
     fn put_preferred(&mut self, name: &str, value: f64) {
         if let Some(column) = self.coordinate_names().iter().position(|known| known == name) {
             self.put(CasePlace::Coordinate(column), value);
@@ -253,7 +255,7 @@ impl System {
         }
     }
 
-    /// An error by name where what hangs on a dimension makes no sense.
+    /// Returns an error, by name, if a number that depends on a dimension is invalid.
     fn check_dimension(&self, k: usize, value: f64) -> Result<()> {
         let Some(Dimensions { all, values }) = &self.dimensions else { return Ok(()) };
         let name = &all.entries[k].name;
@@ -295,7 +297,7 @@ impl System {
         })
     }
 
-    /// The name and the constraint of that place.
+    /// Returns the name and the constraint at this place.
     fn held(&self, of: Holder) -> Option<(&str, &dyn Constraint)> {
         match of {
             Holder::Constraint(k) => self
@@ -307,7 +309,7 @@ impl System {
         }
     }
 
-    /// An error by name where the numbers of what has mass or acts make no sense.
+    /// Returns an error, by name, if the numbers of a mass or load are invalid.
     fn sensible_beside(&self, of: &Beside) -> Result<()> {
         let loads = &self.loads;
         match of {
@@ -339,7 +341,7 @@ impl System {
         }
     }
 
-    /// The constraints with parameters that hang on dimension k.
+    /// Returns the constraints with parameters that depend on dimension k.
     pub(super) fn blocks_on(&self, k: usize) -> impl Iterator<Item = usize> {
         let all = self.dimensions.as_ref().map(|own| Arc::clone(&own.all));
         all.into_iter().flat_map(move |all| {
@@ -353,8 +355,8 @@ impl System {
         })
     }
 
-    /// The numbers of constraints that move with the dimension or parameter of that name. Errors:
-    /// an expression with a name, a name that nothing has.
+    /// Returns the numbers of constraints that depend on the dimension or parameter with this name.
+    /// Errors: a named expression, or a name that does not exist.
     pub(crate) fn moving_with(&self, name: &str) -> Result<Vec<Moved>> {
         let (Some(k), Some(Dimensions { all, values })) =
             (self.dimension_number(name), &self.dimensions)
@@ -374,7 +376,7 @@ impl System {
                 }),
                 Bound::Axis { of: Holder::Constraint(block), name, .. } => {
                     let together = all.with(number);
-                    // Once for all of its numbers.
+                    // Handles the numbers of an axis or a pose once, at the first of them.
                     if all.on(k).find(|other| together.contains(other)) == Some(number) {
                         let given: Vec<Real<Dual64>> =
                             together.iter().map(|other| numbers[*other]).collect();
@@ -387,8 +389,8 @@ impl System {
         Ok(moved)
     }
 
-    /// The numbers that move with a parameter: itself, or those of the axis whose direction it is
-    /// one of.
+    /// Returns the numbers that depend on a parameter: the parameter alone, or all numbers of its
+    /// axis.
     fn moved_parameter(&self, block: usize, own: String) -> Vec<Moved> {
         let of_axis = self.component(block, &own).and_then(|(axis, k)| {
             let directions = self.directions(block, &axis)?;

@@ -1,5 +1,5 @@
-//! Evaluation of a whole system: states once an iterate, then each constraint into its own block of
-//! rows and values.
+//! Evaluates a whole system. The states are computed once for each iterate; then each constraint
+//! writes its block of rows and values.
 
 mod block;
 mod culprit;
@@ -17,52 +17,52 @@ pub(crate) use block::Block;
 use block::from;
 use linear::LinearRows;
 
-/// The arguments of constraints at one instant: the time, values computed from it alone, states and
-/// rates.
+/// The arguments of all constraints at one instant: the time, the values computed from the time
+/// alone, states and velocities.
 #[derive(Clone, Debug)]
 pub(crate) struct Instant {
     t: f64,
     timed: Vec<f64>,
     states: Vec<f64>,
     rates: Vec<f64>,
-    /// Second rates of the columns, where the jerk is asked for; else empty.
+    /// The second derivatives of the columns for the jerk; empty if the jerk is not computed.
     second_rates: Vec<f64>,
 }
 
 impl Instant {
-    /// The time, not a number before one was set.
+    /// Returns the time, or NaN before a time was set.
     pub(crate) fn t(&self) -> f64 {
         self.t
     }
 }
 
-/// Name of the right side for the jerk.
+/// The name of the right side for the jerk in errors.
 pub(crate) const JERK_RHS: &str = "the right side for the jerk";
 
-/// The entry of a constraint's terms that is not finite.
+/// An entry of a constraint's terms that is not finite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Bad {
-    /// Global row.
+    /// The global row.
     pub row: usize,
-    /// `C`, `C_q`, `C_t`, `Q_d`, `q'`, `q''`, `q'''` or the right side of the last.
+    /// The quantity: `C`, `C_q`, `C_t`, `Q_d`, `q'`, `q''`, `q'''`, or [`JERK_RHS`].
     pub quantity: &'static str,
 }
 
-/// All constraints of a system, and where they write.
+/// All constraints of a system, with the places where they write.
 #[derive(Clone)]
 pub(crate) struct Equations {
     pub blocks: Vec<Block>,
     plan: StatePlan,
-    /// Row and column of each value; `None` on the ground.
+    /// The row and column of each value of C_q; `None` for columns of the ground.
     pub entries: Vec<Option<(usize, usize)>>,
-    /// Values of C_q that never change.
+    /// For each value of C_q the number if it is constant, otherwise `None`.
     pub constants: Vec<Option<f64>>,
     pub rows: usize,
-    /// How many numbers constraints make of the time alone.
+    /// The number of values that constraints compute from the time alone.
     timed: usize,
     linear: LinearRows,
     asked: Asked,
-    /// The constraints that can jump, once that has been asked.
+    /// The indices of constraints that can jump, computed at the first use.
     jumping: OnceLock<Vec<usize>>,
     /// The constraints with conditions or other kinks, once that has been asked.
     switching: OnceLock<Vec<usize>>,
@@ -70,7 +70,7 @@ pub(crate) struct Equations {
     explicit: OnceLock<bool>,
 }
 
-/// The constraints that need to be asked at all, by what they are asked for.
+/// The constraints that must be evaluated, grouped by term.
 #[derive(Clone, Default)]
 struct Asked {
     /// Constraints that compute numbers from the time alone.
@@ -81,27 +81,27 @@ struct Asked {
     /// Linear constraints: those whose C depends on t, and the others.
     linear: Vec<Straight>,
     steady: Vec<Straight>,
-    /// Nonlinear constraints whose C_t, or Q_d, can be other than zero.
+    /// Nonlinear constraints whose C_t, or whose Q_d, can be nonzero.
     c_t: Vec<usize>,
     q_d: Vec<usize>,
-    /// Constraints that can hold on a branch that is not meant.
+    /// Constraints that can be satisfied on the wrong branch.
     branches: Vec<usize>,
     /// True if some C_q depends on t.
     c_q_on_t: bool,
 }
 
-/// A constraint that is linear in the coordinates for good.
+/// A constraint that is always linear in the coordinates.
 #[derive(Clone, Copy)]
 struct Straight {
     block: usize,
-    /// Where what its rows come to stands among the numbers of the time, and whether the constraint
-    /// writes it there itself.
+    /// The index of its C(0, t), −C_t and −C_tt among the numbers of the time, and whether the
+    /// constraint writes them itself.
     sides: usize,
     by_constraint: bool,
 }
 
 impl Equations {
-    /// Room for an instant: all coordinates at zero, no time set yet.
+    /// Creates an instant with all coordinates at zero and no time.
     pub(crate) fn instant(&self) -> Instant {
         let mut instant = Instant {
             t: f64::NAN,
@@ -118,14 +118,14 @@ impl Equations {
         instant
     }
 
-    /// The instant as a constraint sees it.
+    /// Returns the instant from the view of a constraint.
     pub(crate) fn at<'a>(&'a self, block: &Block, instant: &'a Instant) -> At<'a> {
         let mut at = At::new(instant.t, &instant.states, &[]);
         self.show(block, instant, &mut at);
         at
     }
 
-    /// Turns what one constraint has seen to what another one sees: less to write than all of it.
+    /// Switches the view from one constraint to another. This writes less than a new view.
     #[inline(always)]
     fn show<'a>(&'a self, block: &Block, instant: &'a Instant, at: &mut At<'a>) {
         at.turn(
@@ -134,18 +134,18 @@ impl Equations {
         );
     }
 
-    /// Where all coordinates are zero, as a constraint sees it.
+    /// Returns the view of a constraint with all coordinates at zero.
     fn origin(&self, t: f64, block: &Block) -> At<'_> {
         At::new(t, self.plan.origin(), &self.plan.arguments()[block.arguments.range()])
     }
 
-    /// The rates of all coordinates as a constraint sees them.
+    /// Returns the derivatives of all coordinates from the view of a constraint.
     #[inline(always)]
     fn rates<'a>(&'a self, block: &Block, rates: &'a [f64]) -> Rates<'a> {
         Rates::new(rates, &self.plan.arguments()[block.arguments.range()])
     }
 
-    /// The instant at coordinates q and time t.
+    /// Creates the instant at coordinates q and time t.
     pub(crate) fn instant_at(&self, t: f64, q: &[f64]) -> Instant {
         let mut instant = self.instant();
         self.set_time(t, &mut instant);
@@ -153,7 +153,7 @@ impl Equations {
         instant
     }
 
-    /// Values that depend on the time and on parameters alone are evaluated here, once a time.
+    /// Sets the time and evaluates all values that depend only on time and parameters.
     pub(crate) fn set_time(&self, t: f64, instant: &mut Instant) {
         for block in self.asked.timed.iter().map(|&k| &self.blocks[k]) {
             block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
@@ -166,8 +166,8 @@ impl Equations {
         instant.t = t;
     }
 
-    /// Asks a linear constraint that does not tell what its rows come to; its Q_d does not depend
-    /// on the rates.
+    /// Evaluates C(0, t), −C_t and −C_tt of a linear constraint that does not write them itself.
+    /// Its Q_d does not depend on velocities.
     fn ask_sides(&self, Straight { block, sides, .. }: Straight, t: f64, instant: &mut Instant) {
         let block = &self.blocks[block];
         let (timed, asked) = instant.timed.split_at_mut(sides);
@@ -191,7 +191,7 @@ impl Equations {
         self.plan.set_rates(qd, &mut instant.rates);
     }
 
-    /// C(q, t) at an instant of that q.
+    /// Evaluates C(q, t) at an instant with this q.
     pub(crate) fn residual(&self, q: &[f64], instant: &Instant, c: &mut [f64]) -> Result<(), Bad> {
         for block in self.asked.curved.iter().map(|&k| &self.blocks[k]) {
             block.constraint.residual(&self.at(block, instant), &mut c[block.rows.range()]);
@@ -200,8 +200,7 @@ impl Equations {
         finite(c, "C")
     }
 
-    /// Writes the values of C_q that never change; [`Equations::linearize`] may leave them as they
-    /// are.
+    /// Writes the constant values of C_q. [`Equations::linearize`] does not overwrite them.
     pub(crate) fn set_constants(&self, values: &mut [f64]) {
         values
             .iter_mut()
@@ -209,7 +208,8 @@ impl Equations {
             .for_each(|(value, constant)| *value = constant.unwrap_or(*value));
     }
 
-    /// C(q, t) and the values of C_q at an instant of that q, whether they are finite or not.
+    /// Evaluates C(q, t) and C_q at an instant with this q, and does not check whether they are
+    /// finite.
     pub(crate) fn linearize(
         &self,
         q: &[f64],
@@ -230,7 +230,7 @@ impl Equations {
         self.linear.write(q, &instant.timed, c);
     }
 
-    /// The same where only the time has changed since; false if C_q has not changed with it.
+    /// Updates C and C_q after only the time has changed. Returns false if C_q has not changed.
     pub(crate) fn relinearize(
         &self,
         q: &[f64],
@@ -254,8 +254,8 @@ impl Equations {
         self.asked.c_q_on_t
     }
 
-    /// Refuses C and values of C_q that are not finite. Entries on the ground's coordinates do not
-    /// matter.
+    /// Returns an error if C or a value of C_q is not finite. Entries on columns of the ground do
+    /// not matter.
     pub(crate) fn finite(&self, c: &[f64], values: &[f64]) -> Result<(), Bad> {
         finite(c, "C")?;
         let mut own = values
@@ -267,7 +267,7 @@ impl Equations {
     }
 }
 
-/// The first row that is not finite.
+/// Returns an error for the first row that is not finite.
 pub(crate) fn finite(rows: &[f64], quantity: &'static str) -> Result<(), Bad> {
     if rows.iter().fold(true, |finite, x| finite & x.is_finite()) {
         return Ok(());

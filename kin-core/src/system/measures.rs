@@ -4,7 +4,7 @@ use super::System;
 use crate::model::constraint::Measured;
 use crate::model::error::Error;
 
-/// One measure of one constraint.
+/// A measure of a constraint.
 #[derive(Clone, Copy)]
 pub(crate) struct MeasurePlace {
     pub block: usize,
@@ -13,8 +13,8 @@ pub(crate) struct MeasurePlace {
 }
 
 impl System {
-    /// Names of all measures of its joints, such as `slot.slide`, in the order of the constraints:
-    /// what [`System::measure`] can be asked for beside coordinates.
+    /// Returns the names of all measures of joints, such as `slot.slide`, in the order of the
+    /// constraints. [`System::measure`] accepts these names and those of coordinates.
     pub fn measures(&self) -> Vec<String> {
         self.constraints()
             .flat_map(|(name, constraint)| {
@@ -23,7 +23,7 @@ impl System {
             .collect()
     }
 
-    /// Where a measure is, by its name.
+    /// Returns the place of a measure, by its name.
     pub(crate) fn place_of(&self, name: &str) -> Option<MeasurePlace> {
         let (joint, measure) = name.rsplit_once('.')?;
         let (block, (_, constraint)) =
@@ -32,12 +32,13 @@ impl System {
         Some(MeasurePlace { block, number, measured: constraint.facts().measures[number] })
     }
 
-    /// True of the name of a measure or of a coordinate.
+    /// Returns true for the name of a measure or of a coordinate.
     pub(crate) fn is_measure(&self, name: &str) -> bool {
         self.place_of(name).is_some() || self.coordinate_names().iter().any(|known| known == name)
     }
 
-    /// The error for a name that no measure has: what can be asked of that joint, or of all.
+    /// Builds the error for a name that no measure has. It lists the names of that joint, or all
+    /// names.
     pub(crate) fn no_measure(&self, name: &str) -> Error {
         let joint = |name: &str| self.constraints().find(|(known, _)| *known == name);
         let Some((joint, constraint)) = joint(name).or_else(|| joint(name.rsplit_once('.')?.0))

@@ -1,25 +1,25 @@
-//! Parameters by name, such as `slot.k`: read and changed without a rebuild.
+//! Parameters by name, such as `slot.k`: reads and sets them without a rebuild.
 
 use super::System;
 use crate::model::error::{Error, Result};
 use crate::model::mechanism::admission::sensible_parameters;
 
-/// Where one number of a case goes.
+/// The place of one number of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum CasePlace {
     /// Parameter `index` of a constraint.
     Parameter { block: usize, index: usize },
-    /// Component `k` of the direction along an axis, which parameter `index` of a constraint is.
+    /// Component `k` of the direction along an axis, which is parameter `index` of a constraint.
     Component { block: usize, index: usize, k: usize },
-    /// The initial value of a coordinate, and the preferred one if it has one.
+    /// The initial value of a coordinate, and its preferred value if it has one.
     Coordinate(usize),
-    /// The value of a dimension, and all that hangs on it.
+    /// The value of a dimension, and all numbers that depend on it.
     Dimension(usize),
 }
 
 impl System {
-    /// Names and values of all numeric parameters, such as (`slot.k`, 2.0), in the order of the
-    /// constraints.
+    /// Returns the names and values of all numeric parameters, such as (`slot.k`, 2.0), in the
+    /// order of the constraints.
     pub fn parameters(&self) -> Vec<(String, f64)> {
         let mut all = Vec::new();
         for (number, block) in self.equations.blocks.iter().enumerate() {
@@ -31,7 +31,8 @@ impl System {
         all
     }
 
-    /// The value of one parameter, such as `slot.k`, or of a dimension. Errors: no such parameter.
+    /// Returns the value of one parameter, such as `slot.k`, or of a dimension. Errors: no such
+    /// parameter.
     pub fn parameter(&self, name: &str) -> Result<f64> {
         if let Some((_, value)) = self.dimensions().into_iter().find(|(known, _)| known == name) {
             return Ok(value);
@@ -40,12 +41,14 @@ impl System {
         Ok(self.given_component(block, &own).unwrap_or(value))
     }
 
-    /// Sets one dimension and all that hangs on it, or one parameter, such as `slot.k`; pattern and
-    /// order stay. A parameter that hangs on dimensions can be set alone too: it keeps that value
-    /// until a dimension behind it is set.
+    /// Sets one dimension and all numbers that depend on it, or one parameter, such as `slot.k`.
     ///
-    /// Errors: no such parameter, not finite, beyond the range of a dimension, an expression of
-    /// dimensions, or what makes no sense with the others; the old value stays.
+    /// The pattern and the order of the equations do not change. You can also set a parameter that
+    /// depends on a dimension. It keeps that value until you set the dimension.
+    ///
+    /// Errors: no such parameter, a value that is not finite, a value outside the range of a
+    /// dimension, an expression of dimensions, a value that contradicts the others. After an error
+    /// the old value remains.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         if let Some(k) = self.dimension_number(name) {
             return self.set_dimension(k, value);
@@ -78,7 +81,7 @@ impl System {
         checked
     }
 
-    /// Where the numbers of a case go.
+    /// Returns the places of the numbers of a case.
     pub(crate) fn places(
         &self,
         names: impl IntoIterator<Item = impl AsRef<str>>,
@@ -92,7 +95,7 @@ impl System {
             }
             if let Some(number) = parameters.iter().position(|(known, _)| known == name) {
                 let place = self.numbered(number);
-                // One that cannot be set, such as that of a law without names, is told now.
+                // A number that cannot be set, such as one of a law without names, is an error now.
                 return if copy.put(place, parameters[number].1) {
                     Ok(place)
                 } else {
@@ -120,7 +123,8 @@ impl System {
         names.into_iter().map(|name| place(name.as_ref())).collect()
     }
 
-    /// Which constraints differ from case to case, where the numbers of a case go to these places.
+    /// Returns which constraints differ from case to case, if the numbers of a case have these
+    /// places.
     pub(crate) fn varied(&self, places: &[CasePlace]) -> Vec<bool> {
         let has = |k: usize| {
             places.iter().any(|place| match place {
@@ -136,7 +140,8 @@ impl System {
         (0..self.equations.blocks.len()).map(has).collect()
     }
 
-    /// A copy in which each of these numbers is another one, to see what hangs on them.
+    /// Returns a copy in which each of these numbers has another value, to see what depends on
+    /// them.
     pub(crate) fn nudged(&self, names: &[String], places: &[CasePlace]) -> System {
         let mut copy = self.clone();
         for (k, (name, place)) in names.iter().zip(places).enumerate() {
@@ -149,7 +154,7 @@ impl System {
         copy
     }
 
-    /// The place of a parameter by its number among all of them.
+    /// Returns the place of a parameter from its index among all of them.
     fn numbered(&self, mut number: usize) -> CasePlace {
         for (block, own) in self.equations.blocks.iter().enumerate() {
             let mut count = 0;
@@ -172,7 +177,7 @@ impl System {
         CasePlace::Parameter { block: usize::MAX, index: 0 }
     }
 
-    /// Puts one number of a case in its place; false if that cannot be.
+    /// Writes one number of a case to its place. Returns false if that is impossible.
     pub(crate) fn put(&mut self, place: CasePlace, value: f64) -> bool {
         self.forget();
         match place {
@@ -194,7 +199,7 @@ impl System {
         }
     }
 
-    /// An error where numbers that were put in these places are none that they can be set to.
+    /// Returns an error if numbers that were written to these places are not allowed.
     pub(crate) fn check_put(&self, places: &[CasePlace]) -> Result<()> {
         places.iter().try_for_each(|place| match place {
             CasePlace::Parameter { block, .. } | CasePlace::Component { block, .. } => {
@@ -208,7 +213,7 @@ impl System {
         })
     }
 
-    /// The constraint, the parameter's name in it, and its value; names may have dots themselves.
+    /// Returns the constraint, the parameter's name in it, and its value. Names can contain dots.
     pub(super) fn find(&self, name: &str) -> Result<(usize, String, f64)> {
         for (index, block) in self.equations.blocks.iter().enumerate() {
             let Some(wanted) =
@@ -233,7 +238,8 @@ impl System {
         })
     }
 
-    /// The parameters of the constraint that the name begins with, else all.
+    /// Returns the parameters of the constraint with which the name begins, otherwise all
+    /// parameters.
     fn near(&self, name: &str) -> Vec<String> {
         let named = self.dimensions().into_iter().chain(self.parameters());
         let all: Vec<String> = named.map(|(name, _)| name).collect();

@@ -1,5 +1,5 @@
-//! Characteristic sizes: what makes tolerances, ranks and the check of steps the same in mm, m and
-//! km, and wherever the origin is.
+//! Characteristic sizes. They make tolerances, ranks and the check of steps independent of the unit
+//! of length and of the origin.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -8,48 +8,49 @@ use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::evaluate::Equations;
 
-/// The steps of the ladder from the finest to the coarsest distance, each twice the one before:
-/// some twelve orders of ten either side of 1, for equations that state no length of their own.
+/// The exponents of the ladder of distances, from the finest to the coarsest; each distance is
+/// twice the one before. Twelve orders of ten on either side of 1 suffice for equations that
+/// contain no length.
 const LADDER: std::ops::RangeInclusive<i32> = -40..=40;
 
-/// Steps of the ladder below a known length: to a millionth of it.
+/// The number of steps of the ladder below a known length: down to a millionth of it.
 const BELOW: i32 = 20;
 
-/// An equation bends where one of its slopes has changed by this share of the largest of those that
-/// change.   \[-\]
+/// An equation is bent where one of its slopes has changed by this share of the largest slope that
+/// changes. \[-\]
 const BENT: f64 = 0.5;
 
-/// A row that bends at a distance of so many times that at which it had bent half as much does so
-/// by chance: its slopes go up and down by little more than what counts as bent.   \[-\]
+/// If a row bends at a distance of more than this multiple of the distance at which it was half
+/// bent, it bends by chance: its slopes oscillate near the threshold. \[-\]
 const BY_CHANCE: f64 = 8.0;
 
-/// A slope that has changed by less than this share of it is constant, but for rounding.   \[-\]
+/// A slope that has changed by less than this share of it is constant except for rounding. \[-\]
 const CONSTANT: f64 = 1e-3;
 
-/// Slopes that change and are less than this share of their row say nothing of it: the row
-/// does.   \[-\]
+/// If slopes that change are smaller than this share of their row, the row decides instead of them.
+/// \[-\]
 const SLIGHT: f64 = 1e-3;
 
-/// An equation that bends within a size divided by this has a size of its own.   \[-\]
+/// An equation that bends within a size divided by this number has a separate size. \[-\]
 const WITHIN: f64 = 4.0;
 
-/// A lever or a coordinate below this share of the largest length, or of the unit of length, is the
-/// rounding of a zero: a slider that starts at 0.3 sin π metres is no mechanism of
-/// attometres.   \[-\]
+/// A lever or a coordinate below this share of the largest length, or of the unit of length, is a
+/// rounded zero. For example, a slider that starts at 0.3 sin π metres does not make a mechanism of
+/// attometres. \[-\]
 const ROUNDING: f64 = 1e-12;
 
-/// Distances smaller than this share of the largest coordinate are rounding.   \[-\]
+/// Distances smaller than this share of the largest coordinate are rounding. \[-\]
 const RESOLVED: f64 = 1e-9;
 
-/// The characteristic size s_j of every coordinate for ranks, tolerances and proofs: 1 for angles
-/// and Euler parameters, for lengths one typical length of the model, because ranks compare lengths
-/// with angles.
+/// Returns the characteristic size s_j of every coordinate for ranks, tolerances and proofs. It is
+/// 1 for angles and Euler parameters. For lengths it is one typical length of the model, because
+/// ranks compare lengths with angles.
 ///
-/// That length is found where the model itself compares lengths with angles: a row that moves
-/// by |∂C/∂R| a metre and by |∂C/∂θ| a radian has the lever |∂C/∂θ| / |∂C/∂R|. The typical length
-/// is the median lever of the constraints; without any, the largest link, else the median distance
-/// within which equations are nearly straight, which does not depend on the origin. Where all
-/// equations are straight any length will do: the largest coordinate, else 1.
+/// The typical length comes from rows in which the model compares lengths with angles. A row that
+/// changes by |∂C/∂R| per metre and by |∂C/∂θ| per radian has the lever |∂C/∂θ| / |∂C/∂R|. The
+/// typical length is the median lever of the constraints. Without levers it is the largest link, or
+/// else the median distance within which equations are nearly straight; neither depends on the
+/// origin. If all equations are straight, any length serves: the largest coordinate, or else 1.
 pub(crate) fn sizes(
     layout: &Layout,
     equations: &Equations,
@@ -61,7 +62,7 @@ pub(crate) fn sizes(
     sizes_with(&turned, layout, equations, values, (q, t), links)
 }
 
-/// The same with slopes a quarter turn further on that are known.
+/// Returns the sizes from known slopes at angles a quarter revolution further on.
 pub(crate) fn sizes_with(
     turned: &Turned,
     layout: &Layout,
@@ -81,11 +82,11 @@ pub(crate) fn sizes_with(
     layout.units.iter().map(|unit| if *unit == Unit::Metre { length } else { 1.0 }).collect()
 }
 
-/// The sizes by which steps of time are judged: those of [`sizes`], but for a length no more than
-/// the distance within which the equations that it stands in are nearly straight.
+/// Returns the sizes for the check of steps of time. They are those of [`sizes`], but for a length
+/// at most the distance within which its equations are nearly straight.
 ///
-/// The check of a step takes it that an equation changes its slopes by no more than they are within
-/// a size. Long links elsewhere, and how far the origin is, have no part in that.
+/// The check assumes that the slopes of an equation change by at most their values within a size.
+/// Long links elsewhere and the distance of the origin do not matter for this.
 pub(crate) fn reaches(
     layout: &Layout,
     equations: &Equations,
@@ -107,7 +108,7 @@ fn power(k: i32) -> f64 {
     2.0_f64.powi(k)
 }
 
-/// The columns of lengths.
+/// Returns the columns of lengths.
 fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
     layout
         .units
@@ -117,11 +118,11 @@ fn lengths(layout: &Layout) -> impl Iterator<Item = usize> + '_ {
         .map(|(column, _)| column)
 }
 
-/// The median lever of the constraints that have one above the floor.
+/// Returns the median lever of the constraints that have one above the floor.
 ///
-/// Rows of angles alone, such as those of an axis, say nothing of lengths. A row with a length may
-/// turn with its angles until a lever vanishes (l cos θ = x at θ = 0), so slopes count at these
-/// angles and a quarter turn further on.
+/// Rows of angles alone, such as those of an axis, contain no length. A row with a length can
+/// rotate with its angles until a lever vanishes (l cos θ = x at θ = 0). So slopes count at the
+/// present angles and a quarter revolution further on.
 fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2], floor: f64) -> Option<f64> {
     let (mut levers, mut rows): (Vec<f64>, Vec<[f64; 2]>) = (Vec::new(), Vec::new());
     for block in &equations.blocks {
@@ -131,7 +132,7 @@ fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2], floor: f64
             let Some((row, column)) = equations.entries[place] else { continue };
             let kind = usize::from(layout.units[column] != Unit::Metre);
             let most = &mut rows[row - block.rows().start][kind];
-            // Where C was no number there are no slopes.
+            // Where C was NaN there are no slopes.
             let slope = |all: &[f64]| all.get(place).map_or(0.0, |slope| slope.abs());
             *most = most.max(slope(slopes[0])).max(slope(slopes[1]));
         }
@@ -144,10 +145,10 @@ fn lever(layout: &Layout, equations: &Equations, slopes: [&[f64]; 2], floor: f64
     median(levers)
 }
 
-/// C_q where every angle is a quarter turn further on.
+/// C_q with every angle a quarter revolution further on.
 #[derive(Debug, Default)]
 pub(crate) struct Turned {
-    /// The position from which the angles are turned.
+    /// The position before the rotation.
     q: Vec<f64>,
     values: Vec<f64>,
 }
@@ -164,8 +165,8 @@ impl Turned {
         Turned { q: q.to_vec(), values }
     }
 
-    /// True if these slopes serve at q too: no coordinate has moved by more than half of its size
-    /// since.
+    /// Returns true if these slopes are valid at q too: no coordinate has moved by more than half
+    /// of its size since.
     pub(crate) fn serves(&self, q: &[f64], sizes: &[f64]) -> bool {
         const NEAR: f64 = 0.5;
         let moved = self.q.iter().zip(q).zip(sizes);
@@ -179,26 +180,25 @@ fn median(mut all: Vec<f64>) -> Option<f64> {
     (middle < all.len()).then(|| *all.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// The largest of some numbers, if that is not 0.
+/// Returns the largest of some numbers, if it is not 0.
 fn largest(numbers: impl Iterator<Item = f64>) -> Option<f64> {
     Some(numbers.fold(0.0_f64, |m, x| m.max(x.abs()))).filter(|largest| *largest > 0.0)
 }
 
-/// How far lengths may move before equations bend.
+/// The distances by which lengths may move before equations bend.
 struct Bends {
-    /// Of each row that bends, the distance.
+    /// For each row that bends, the distance.
     distances: Vec<f64>,
-    /// Of each coordinate the least distance of the rows that it stands in; infinite where none
-    /// bends.
+    /// For each coordinate the smallest distance of its rows; infinite if none bends.
     reaches: Vec<f64>,
 }
 
-/// Moves all lengths at random by the distances of a ladder, which grow, and compares the slopes of
+/// Moves all lengths at random by the growing distances of a ladder, and compares the slopes of
 /// each equation with those at q.
 ///
-/// A row bends where one of its slopes has changed by half of the largest of those that change.
-/// Then no other coordinate of it should have a size by which it changes more than by what bends
-/// it.
+/// A row is bent where one of its slopes has changed by half of the largest slope that changes. The
+/// size of each other coordinate of the row is then limited: it may not change the row by more than
+/// the coordinate that bends it.
 fn bends(
     layout: &Layout,
     equations: &Equations,
@@ -243,12 +243,12 @@ struct Slopes<'a> {
     layout: &'a Layout,
     equations: &'a Equations,
     t: f64,
-    /// Entries of C_q in columns of lengths that are not constant, and the rows of these.
+    /// The entries of C_q in columns of lengths that are not constant, and their rows.
     curved: Vec<usize>,
     rows: Vec<Vec<usize>>,
-    /// The distance at which each row had bent half as much as what counts as bent.
+    /// For each row the distance at which it was half bent; `None` if it was not.
     half: Vec<Option<f64>>,
-    /// Rows that have not bent so far.
+    /// The number of rows that are not bent yet.
     straight: usize,
     c: Vec<f64>,
     values: Vec<f64>,
@@ -278,8 +278,7 @@ impl<'a> Slopes<'a> {
         self.equations.linearize(q, &instant, &mut self.c, &mut self.values);
     }
 
-    /// Raises how far slopes have changed from what they were; by without bounds where they are not
-    /// numbers.
+    /// Raises the recorded change of each slope. A slope that is NaN has an infinite change.
     fn changes(&self, here: &[f64], change: &mut [f64]) {
         for entry in &self.curved {
             let off = (self.values[*entry] - here[*entry]).abs();
@@ -287,7 +286,7 @@ impl<'a> Slopes<'a> {
         }
     }
 
-    /// Finds rows that have bent within a distance.
+    /// Finds the rows that are bent within a distance.
     fn judge(&mut self, here: &[f64], change: &[f64], distance: f64, found: &mut Bends) {
         let rows = self.rows.iter_mut().zip(&mut self.half);
         for (row, half) in rows.filter(|(row, _)| !row.is_empty()) {
@@ -310,7 +309,7 @@ impl<'a> Slopes<'a> {
             let distance = if distance > BY_CHANCE * first { first } else { distance };
             found.distances.push(distance);
             for entry in lengths() {
-                // By as much as what bends the row does within the distance.
+                // The limit is the change that the bending coordinate causes within the distance.
                 let share = if bends(&entry) { 1.0 } else { slope / here[entry].abs() };
                 let reach = &mut found.reaches[column(entry)];
                 *reach = reach.min(distance * share);

@@ -1,8 +1,7 @@
-//! The equations of a mechanism seen from outside the driver: any number of them, at any pose, in
-//! units of order 1.
+//! The equations of a mechanism in units of order 1, for any number of equations and any pose.
 //!
-//! Everything that examines a mechanism that cannot be driven (diagnosis, assembly from afar,
-//! redundant mechanisms) stands on this; the driver does not.
+//! Diagnosis, assembly from a poor guess and redundant mechanisms use this module. The step-by-step
+//! solver and the compiled program do not.
 
 use crate::linear::{Echelon, RANK, Sparse};
 use std::sync::atomic::AtomicU64;
@@ -15,10 +14,10 @@ use crate::numbers::random::Random;
 use crate::system::evaluate::{Bad, Equations, JERK_RHS, finite};
 use crate::system::scale;
 
-/// Rows count as met if they are off by no more than this share of their norms.   \[-\]
+/// A row is satisfied if its residual is at most this share of its norm. \[-\]
 pub(crate) const TOLERANCE: f64 = 1e-10;
 
-/// The facts about a mechanism that are known before anything is solved.
+/// The facts about a mechanism that are known before it is solved.
 #[derive(Clone, Copy)]
 pub(crate) struct Model<'a> {
     pub name: &'a str,
@@ -32,8 +31,8 @@ pub(crate) struct Model<'a> {
     pub work: Option<&'a Work>,
 }
 
-/// Work that may be spent on searches, counted in values of C_q that are computed and factored: it
-/// is not timed, so that the outcome is the same on each machine.
+/// The work that searches may spend, counted in computed and factored values of C_q. Kin does not
+/// measure time, so the result is the same on each machine.
 #[derive(Debug)]
 pub(crate) struct Work(AtomicU64);
 
@@ -42,7 +41,7 @@ impl Work {
         Work(AtomicU64::new(values as u64))
     }
 
-    /// True if nothing is left.
+    /// Returns true if no work is left.
     pub(crate) fn is_spent(&self) -> bool {
         self.0.load(Relaxed) == 0
     }
@@ -60,12 +59,12 @@ pub(crate) struct Point {
 }
 
 /// Characteristic sizes s_j of coordinates and norms of rows, max_j |∂C_i/∂q_j| s_j over a few
-/// poses: by them everything is of order 1.
+/// poses. In these units everything is of order 1.
 #[derive(Clone, Debug)]
 pub(crate) struct Measures {
     pub sizes: Vec<f64>,
     pub norms: Vec<f64>,
-    /// The time in which the fastest driver moves something of order 1.   \[s\]
+    /// The time in which the fastest driver moves something of order 1. \[s\]
     pub time: f64,
 }
 
@@ -74,14 +73,14 @@ impl Model<'_> {
         self.layout.len()
     }
 
-    /// Spends the work of one more step of a search; false if no work is left for it.
+    /// Spends the work of one step of a search. Returns false if no work is left.
     pub(crate) fn may_search(&self) -> bool {
         let Some(work) = self.work else { return true };
         work.spend(self.equations.entries.len());
         !work.is_spent()
     }
 
-    /// True if no work is left for searches.
+    /// Returns true if no work is left for searches.
     pub(crate) fn is_spent(&self) -> bool {
         self.work.is_some_and(Work::is_spent)
     }
@@ -90,7 +89,7 @@ impl Model<'_> {
         self.equations.rows
     }
 
-    /// C and C_q, if they are finite.
+    /// Evaluates C and C_q, or returns the entry that is not finite.
     pub(crate) fn linearize(&self, q: &[f64], t: f64) -> Result<Point, Bad> {
         let mut point =
             Point { c: vec![0.0; self.m()], values: vec![0.0; self.equations.entries.len()] };
@@ -105,7 +104,7 @@ impl Model<'_> {
         Ok(point)
     }
 
-    /// C_t, if it is finite.
+    /// Evaluates C_t, or returns the entry that is not finite.
     pub(crate) fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>, Bad> {
         let mut rhs = vec![0.0; self.m()];
         self.equations.velocity_rhs(&self.equations.instant_at(t, q), &mut rhs);
@@ -114,8 +113,8 @@ impl Model<'_> {
         Ok(rhs)
     }
 
-    /// −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]: with ṫ = 1 it is Q_d, with ṫ = 0 the second order
-    /// of a motion along v that time has no part in.
+    /// Evaluates −\[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt\]. With ṫ = 1 it is Q_d; with ṫ = 0 it is
+    /// the second order of a motion along v at constant time.
     pub(crate) fn second_order(
         &self,
         q: &[f64],
@@ -131,8 +130,8 @@ impl Model<'_> {
         Ok(rhs)
     }
 
-    /// −g‴(0), the right side for the jerk; the outer error is for a constraint that does not know
-    /// it.
+    /// Evaluates −g‴(0), the right side for the jerk. The outer error means that a constraint does
+    /// not know it.
     pub(crate) fn jerk_rhs(
         &self,
         q: &[f64],
@@ -149,7 +148,7 @@ impl Model<'_> {
         Ok(finite(&rhs, JERK_RHS).map(|()| rhs))
     }
 
-    /// The non-zeros of C_q as (row, column, value).
+    /// Returns the nonzero entries of C_q as (row, column, value).
     pub(crate) fn entries<'b>(
         &'b self,
         values: &'b [f64],
@@ -158,19 +157,19 @@ impl Model<'_> {
         entries.filter_map(|(entry, value)| entry.map(|(row, column)| (row, column, *value)))
     }
 
-    /// True if a row belongs to a driving constraint.
+    /// Returns true if a row belongs to a driver.
     pub(crate) fn drives(&self, row: usize) -> bool {
         self.equations.block_of(row).is_some_and(|(block, _)| block.drives)
     }
 
-    /// True if a row is the norm of a body's Euler parameters.
+    /// Returns true if a row is the norm of a body's Euler parameters.
     pub(crate) fn is_norm(&self, row: usize) -> bool {
         self.equations
             .block_of(row)
             .is_some_and(|(block, _)| block.constraint.facts().kind == "euler_norm")
     }
 
-    /// Sizes and norms around a pose.
+    /// Computes sizes and norms around a pose.
     pub(crate) fn measure(&self, q: &[f64], t: f64) -> Measures {
         let here = self.linearize(q, t);
         let values: &[f64] = here.as_ref().map_or(&[], |point| &point.values);
@@ -178,7 +177,7 @@ impl Model<'_> {
         self.measure_by(sizes, values, (q, t))
     }
 
-    /// The same by the sizes by which steps of time are judged ([`scale::reaches`]).
+    /// Computes sizes and norms for the check of steps of time ([`scale::reaches`]).
     pub(crate) fn measure_steps(
         &self,
         q: &[f64],
@@ -192,7 +191,7 @@ impl Model<'_> {
     }
 
     fn measure_by(&self, sizes: Vec<f64>, values: &[f64], (q, t): (&[f64], f64)) -> Measures {
-        /// Poses beside the one given, and how far.
+        /// The number of random poses near the given one.
         const POSES: u64 = 3;
         const REACH: f64 = 0.3;
         let mut norms = vec![0.0; self.m()];
@@ -213,7 +212,8 @@ impl Model<'_> {
         Measures { sizes, norms, time: if fastest > 0.0 { fastest.recip() } else { 1.0 } }
     }
 
-    /// The components of one vector get one norm: lengths of vectors do not depend on the axes.
+    /// Gives the components of one vector the same norm, so that lengths of vectors do not depend
+    /// on the axes.
     fn share_among_components(&self, norms: &mut [f64]) {
         for block in &self.equations.blocks {
             let rows = block.constraint.facts().rows;
@@ -237,7 +237,7 @@ impl Model<'_> {
         }
     }
 
-    /// Rows of C_q in units of order 1; those of `active` rows only, the others stay empty.
+    /// Returns the rows of C_q in units of order 1. Rows outside `active` stay empty.
     pub(crate) fn scaled(
         &self,
         values: &[f64],
@@ -251,7 +251,7 @@ impl Model<'_> {
         rows
     }
 
-    /// True if C = 0 holds, but for rounding and the misfit that is allowed.
+    /// Returns true if C = 0 holds up to rounding and the permitted closure error.
     pub(crate) fn met(
         &self,
         point: &Point,
@@ -276,17 +276,17 @@ impl Model<'_> {
             .all(|(row, (c, allowed))| !active(row) || c.abs() <= allowed)
     }
 
-    /// The rank of C_q by its values at a pose.
+    /// Returns the rank of C_q from its values at a pose.
     pub(crate) fn rank(&self, values: &[f64], measures: &Measures) -> usize {
         Echelon::new(self.scaled(values, measures, &|_| true), self.n(), RANK).rank()
     }
 
-    /// The error for what is not finite at a pose.
+    /// Builds the error for a value that is not finite at a pose.
     pub(crate) fn not_finite(&self, bad: Bad, q: &[f64], t: f64) -> Error {
         self.equations.not_finite(bad, self.layout, &self.equations.instant_at(t, q))
     }
 
-    /// True if a coordinate turns something: its changes are limited.
+    /// Returns true for an angle or Euler parameter; a search limits its changes.
     pub(crate) fn turns(&self, column: usize) -> bool {
         self.layout.units[column] != Unit::Metre
     }

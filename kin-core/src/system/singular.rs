@@ -1,5 +1,5 @@
-//! Report on C_q where a solver has found no pivot: its rank, the coordinates left free, the
-//! equations that depend on one another.
+//! Reports on C_q where a solver found no pivot: its rank, the free coordinates, the dependent
+//! equations.
 
 use crate::linear::{Echelon, RANK};
 use crate::system::scaled::{Measures, Model};
@@ -7,25 +7,26 @@ use crate::system::scaled::{Measures, Model};
 /// Rank and dependencies of a singular matrix.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Singular {
-    /// Number of independent rows: n where it is singular but for rounding.
+    /// The number of independent rows; n if the matrix is singular only within rounding.
     pub rank: usize,
-    /// The largest pivot that counted as zero, rows and columns measured.   \[-\]
+    /// The largest pivot that counted as zero, in scaled rows and columns. \[-\]
     pub pivot: f64,
-    /// Bodies and bare coordinates that move in the null space.
+    /// Bodies and scalar coordinates that move in the null space.
     pub movable: Vec<String>,
-    /// Equations with a share in some vanishing combination.
+    /// Equations in a vanishing combination.
     pub dependent: Vec<String>,
 }
 
-/// A share of a null vector below this is rounding.   \[-\]
+/// A component of a null vector below this share is rounding. \[-\]
 const SHARE: f64 = 1e-6;
 
-/// The same at a pose, from the values of C_q there.
+/// Reports on C_q at a pose, from its values there.
 pub(crate) fn singular(model: &Model<'_>, values: &[f64], measures: &Measures) -> Singular {
     singular_within(model, values, measures, RANK)
 }
 
-/// The same where pivots below `least` count as zero: of a position that is known no better.
+/// Reports on C_q with pivots below `least` counted as zero, for a position that is known with that
+/// error.
 pub(crate) fn singular_within(
     model: &Model<'_>,
     values: &[f64],

@@ -1,28 +1,32 @@
-//! The answer to one position that is asked for.
+//! The result of a single position.
 
-/// Report of Newton's iteration at one time.
+/// The report of Newton's iteration at one time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
-    /// Newton steps taken, those of rescued attempts included.
+    /// The number of Newton steps, including those of rescued attempts.
     pub iterations: usize,
     /// max |C_i| at the solution, in the unit of its row.
     pub residual: f64,
-    /// Name of the equation that has it, such as `A.x`; empty for a mechanism without coordinates.
+    /// The name of the equation with that residual, such as `A.x`; empty for a mechanism without
+    /// coordinates.
     pub worst: String,
-    /// The smallest pivot of C_q, relative to its row: near zero close to a singular position, and
-    /// small at some others. By a program it is that of the position where that was compiled, times
-    /// the least share that a pivot has of what it was there.   \[-\]
+    /// The smallest pivot of C_q, relative to its row. It is near zero close to a singular
+    /// position, and small at some other positions. \[-\]
+    ///
+    /// For the compiled program it is the pivot at the position of compilation, times the smallest
+    /// ratio of a pivot to its value there.
     pub smallest_pivot: f64,
-    /// True if the program of [`crate::System::compile`] has found it, false of plain steps.
+    /// True if the program of [`crate::System::compile`] found the position, false if the
+    /// step-by-step solver did.
     pub compiled: bool,
 }
 
-/// Position, velocity and acceleration at one time.
+/// The position, velocity and acceleration at one time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Solution {
-    /// Time t.   \[s\]
+    /// The time t. \[s\]
     pub t: f64,
     /// q, C(q, t) = 0.   \[m, rad\]
     pub q: Vec<f64>,
@@ -30,6 +34,6 @@ pub struct Solution {
     pub qd: Vec<f64>,
     /// q̈, C_q q̈ = Q_d.   \[m/s², rad/s²\]
     pub qdd: Vec<f64>,
-    /// Report of Newton's iteration.
+    /// The report of Newton's iteration.
     pub report: Report,
 }

@@ -1,5 +1,5 @@
-//! States of bodies and bare coordinates: evaluated once an iterate, each in one place where all
-//! constraints read it.
+//! The states of bodies and scalar coordinates. They are evaluated once for each iterate, in one
+//! place that all constraints read.
 
 use crate::model::coordinates::{Target, Trig};
 use crate::model::layout::Place;
@@ -7,54 +7,56 @@ use crate::model::state::{
     COORD_STATE, CoordState, Offsets, PLANAR_STATE, PlanarState, SPATIAL_STATE, SpatialState,
 };
 
-/// Where states stand, which coordinates make them up, and who reads which.
+/// The places of states, the coordinates that they consist of, and the states that each constraint
+/// reads.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct StatePlan {
-    /// First coordinate of each body, and where its state begins.
+    /// For each planar body its first coordinate, and the place of its state.
     planar: Vec<[u32; 2]>,
     spatial: Vec<[u32; 2]>,
     coords: Vec<Coord>,
-    /// The states where all coordinates are zero; those of the ground are there for good.
+    /// The states with all coordinates at zero; the states of the ground in it are final.
     origin: Vec<f64>,
-    /// Of every argument of every constraint, where its state and where its rates begin.
+    /// For each argument of each constraint, the places of its state and of its velocities.
     arguments: Vec<Offsets>,
-    /// Where the ground's rates begin: after those of all coordinates.
+    /// The place of the velocities of the ground: after those of all coordinates.
     ground: u32,
 }
 
-/// A bare coordinate.
+/// A scalar coordinate.
 #[derive(Clone, Copy, Debug)]
 struct Coord {
     coordinate: u32,
     begin: u32,
-    /// Used where some constraint reads its sine or cosine.
+    /// `Used` if some constraint reads its sine or cosine.
     trig: Trig,
 }
 
-/// Where coordinates stand, while arguments are planned.
+/// The places of coordinates, while the arguments are laid out.
 pub(super) struct Planned {
-    /// Where the state of the body that begins with a coordinate begins.
+    /// For each coordinate the place of the state of the body that begins with it; `None`
+    /// otherwise.
     bodies: Vec<Option<u32>>,
-    /// Which one of the bare coordinates a coordinate is.
+    /// For each coordinate its index among the scalar coordinates; `None` otherwise.
     coords: Vec<Option<u32>>,
-    /// The coordinate behind each column of the constraint in hand; `None` on the ground.
+    /// The coordinate of each column of the present constraint; `None` for the ground.
     pub columns: Vec<Option<usize>>,
 }
 
 impl Planned {
-    /// An empty plan of n coordinates.
+    /// Creates an empty plan of n coordinates.
     pub(super) fn new(n: usize) -> Self {
         Planned { bodies: vec![None; n], coords: vec![None; n], columns: Vec::new() }
     }
 }
 
 impl StatePlan {
-    /// A plan for n coordinates.
+    /// Creates a plan for n coordinates.
     pub(super) fn new(n: usize) -> Self {
         StatePlan { ground: n as u32, ..StatePlan::default() }
     }
 
-    /// Plans for one more argument.
+    /// Adds one argument to the plan.
     pub(super) fn argument(&mut self, target: &Target, place: Place, planned: &mut Planned) {
         let argument = match place {
             Place::Own { first, .. } => {
@@ -69,7 +71,7 @@ impl StatePlan {
         }));
     }
 
-    /// Where the state of an argument begins whose coordinates begin there.
+    /// Returns the place of the state of an argument whose coordinates begin at `first`.
     fn own(&mut self, target: &Target, first: usize, planned: &mut Planned) -> u32 {
         let next = self.origin.len() as u32;
         match target {
@@ -102,8 +104,8 @@ impl StatePlan {
         }
     }
 
-    /// Where the state of an argument begins that is the ground, or a coordinate of it with that
-    /// value.
+    /// Returns the place of the state of an argument that is the ground, or a coordinate of the
+    /// ground with this value.
     fn fixed(&mut self, target: &Target, value: f64) -> u32 {
         let next = self.origin.len() as u32;
         match target {
@@ -114,29 +116,29 @@ impl StatePlan {
         next
     }
 
-    /// Of every argument planned so far, where its state and where its rates begin.
+    /// Returns, for every argument in the plan, the places of its state and of its velocities.
     pub(crate) fn arguments(&self) -> &[Offsets] {
         &self.arguments
     }
 
-    /// The states where all coordinates are zero; those of the ground are there for good.
+    /// Returns the states with all coordinates at zero; the states of the ground in it are final.
     pub(super) fn origin(&self) -> &[f64] {
         &self.origin
     }
 
-    /// No rates at all, with room for those of all coordinates.
+    /// Returns zero velocities of all coordinates and of the ground.
     pub(super) fn no_rates(&self) -> Vec<f64> {
         vec![0.0; self.ground as usize + SPATIAL_STATE]
     }
 
-    /// The states at coordinates q.
+    /// Computes the states at coordinates q.
     pub(super) fn set_states(&self, q: &[f64], states: &mut [f64]) {
         for &[first, begin] in &self.planar {
             let &[x, y, theta] = from(q, first);
             let state = from_mut::<_, PLANAR_STATE>(states, begin);
             let [_, _, known, sin, cos] = *state;
-            // An angle that has not moved, as a driven one in Newton's last step, keeps its sine
-            // and cosine.
+            // An unchanged angle, such as a driven one in Newton's last step, keeps its sine and
+            // cosine.
             let (sin, cos) = if known == theta { (sin, cos) } else { theta.sin_cos() };
             *state = [x, y, theta, sin, cos];
         }
@@ -152,20 +154,22 @@ impl StatePlan {
         }
     }
 
-    /// The rates of all coordinates at q̇; those of the ground, which stand after them, stay zero.
+    /// Writes the velocities q̇ of all coordinates. Those of the ground, which follow them, stay
+    /// zero.
     pub(super) fn set_rates(&self, qd: &[f64], rates: &mut [f64]) {
         rates[..self.ground as usize].copy_from_slice(qd);
     }
 }
 
-/// The N numbers that begin there (32 bits: the end does not overflow, so one check will do).
+/// Returns the N numbers from index `first` on. `first` has 32 bits, so the end does not overflow
+/// and one check suffices.
 #[inline(always)]
 fn from<T, const N: usize>(all: &[T], first: u32) -> &[T; N] {
     let own = &all[first as usize..first as usize + N];
     own.first_chunk().unwrap_or_else(|| unreachable!("a slice of that length"))
 }
 
-/// The same, to be written.
+/// Returns the N numbers from index `first` on, mutable.
 #[inline(always)]
 fn from_mut<T, const N: usize>(all: &mut [T], first: u32) -> &mut [T; N] {
     let own = &mut all[first as usize..first as usize + N];

@@ -1,48 +1,49 @@
-//! The stop rule of Newton's method and what rounding it allows, over any number: plain steps,
-//! redundant mechanisms and programs over lanes all ask it here.
+//! The stop rule of Newton's method and its allowance for rounding, over any number. The
+//! step-by-step solver, redundant mechanisms and programs over lanes share it.
 
 use crate::numbers::lanes::lanewise::Judged;
 
-/// A correction that stalls above this share of its coordinate is no rounding but a singular
-/// position.   \[-\]
+/// A correction that stalls above this share of its coordinate is not rounding but a singular
+/// position. \[-\]
 pub(crate) const STALL: f64 = 1e-9;
 
-/// Pivots below this are those of a singular position, which Newton's method does not come
-/// to.   \[-\]
+/// Pivots below this value belong to a singular position, which Newton's method does not reach.
+/// \[-\]
 const SMALLEST: f64 = 1e-3;
 
-/// Quad roundings of a number in units of the tolerance: a number that large may be off by that
-/// much.
+/// Returns the rounding of a number in units of the tolerance: four times the rounding of one
+/// operation.
 pub(crate) fn rounding(tolerance: f64) -> f64 {
     4.0 * f64::EPSILON / tolerance
 }
 
-/// Newton's steps shrink by squares: one this short that has stopped shrinking is rounding, and no
-/// more can be had.
+/// Returns true if a correction has stopped shrinking. Newton's steps shrink quadratically, so a
+/// short correction that no longer shrinks is rounding.
 ///
-/// The rule takes no closure: what LLVM leaves as a call is compiled without the machine's
+/// The rule takes no closure, because LLVM compiles a call that remains without the machine's
 /// instructions.
 #[inline(always)]
 pub(crate) fn has_stalled<N: Judged>(correction: N, previous: N) -> N::Answer {
     correction.above(correction.all(0.5) * previous) & correction.at_most(correction.all(STALL))
 }
 
-/// A correction that no longer shrinks, of equations that are met, is rounding of q itself where it
-/// is no larger than this: far from the origin, beside a singular position, more cannot be had. q
-/// in units of its sizes; a pivot below [`SMALLEST`] makes no more of rounding than that one
-/// does.   \[-\]
+/// Returns the largest correction that is rounding of q itself. If the equations are satisfied and
+/// a correction no longer shrinks, Newton's method cannot do better far from the origin or near a
+/// singular position. q is in units of its sizes; pivots below [`SMALLEST`] count as [`SMALLEST`].
+/// \[-\]
 pub(crate) fn resting(q: &[f64], sizes: &[f64], pivot: f64) -> f64 {
     let farthest = q.iter().zip(sizes).fold(0.0_f64, |most, (q, size)| most.max((q / size).abs()));
     16.0 * f64::EPSILON * farthest / pivot.clamp(SMALLEST, 1.0)
 }
 
-/// |dq| of a coordinate against its size, with `rounding` of it allowed for.
+/// Returns |dq| of a coordinate relative to its size, after an allowance of `rounding` times the
+/// coordinate.
 #[inline(always)]
 pub(crate) fn share(dq: f64, q: f64, size: f64, rounding: f64) -> f64 {
     dq.abs() / (rounding * q.abs() + size)
 }
 
-/// How far each row may be off: by the tolerance of its norm, and by what rounding of q makes,
+/// Returns the allowance of each row: the tolerance of its norm plus the effect of rounding of q,
 /// Σ_j |∂C_i/∂q_j q_j| ε.
 #[inline(always)]
 pub(crate) fn allowances(

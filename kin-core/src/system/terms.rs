@@ -1,4 +1,4 @@
-//! Terms of a system's equations at one pose: C, C_q, C_t, Q_d.
+//! The terms of a system's equations at one pose: C, C_q, C_t, Q_d.
 
 use nalgebra::DMatrix;
 
@@ -8,7 +8,7 @@ use crate::linear::Linear;
 use crate::model::error::Result;
 
 impl System {
-    /// C(q, t), in the unit of each row. Errors: wrong length, not finite.
+    /// Returns C(q, t), in the unit of each row. Errors: wrong length, not finite.
     pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         let mut c = vec![0.0; self.n_equations()];
@@ -16,7 +16,7 @@ impl System {
         Ok(c)
     }
 
-    /// C_q(q, t), m × n. Errors: wrong length, not finite.
+    /// Returns C_q(q, t), m × n. Errors: wrong length, not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
         let mut values = vec![0.0; self.equations.entries.len()];
         self.linearize(q, &self.instant(q, t)?, &mut values)?;
@@ -29,7 +29,7 @@ impl System {
         Ok(c_q)
     }
 
-    /// C_t(q, t), in the unit of each row a second. Errors: wrong length, not finite.
+    /// Returns C_t(q, t), in the unit of each row per second. Errors: wrong length, not finite.
     pub fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         let mut rhs = vec![0.0; self.n_equations()];
@@ -38,8 +38,9 @@ impl System {
         Ok(rhs.into_iter().map(|x| 0.0 - x).collect())
     }
 
-    /// Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row a second squared. Errors:
-    /// wrong length, not finite.
+    /// Returns Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row per second squared.
+    ///
+    /// Errors: wrong length, not finite.
     pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
         let mut instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;
@@ -50,8 +51,8 @@ impl System {
         Ok(q_d)
     }
 
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the unit of
-    /// each row a second cubed.
+    /// Returns −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the
+    /// unit of each row per second cubed.
     ///
     /// Errors: wrong length, not finite, a hand-written constraint without
     /// [`crate::Constraint::jerk_rhs`].
@@ -63,13 +64,13 @@ impl System {
         rhs.map_err(|bad| self.equations.not_finite(bad, &self.layout, &instant))
     }
 
-    /// The instant at q and t, if they are well given.
+    /// Returns the instant at q and t, or an error for invalid arguments.
     fn instant(&self, q: &[f64], t: f64) -> Result<Instant> {
         self.check(q, "coordinates")?;
         Ok(self.equations.instant_at(time(t)?, q))
     }
 
-    /// The values of C_q at an instant.
+    /// Writes the values of C_q at an instant.
     fn linearize(&self, q: &[f64], instant: &Instant, values: &mut [f64]) -> Result<()> {
         let mut c = vec![0.0; self.n_equations()];
         self.equations.set_constants(values);
@@ -81,7 +82,7 @@ impl System {
         result.map_err(|bad| self.equations.not_finite(bad, &self.layout, instant))
     }
 
-    /// C_q(q, t) with the sizes of that point, ready to be factored.
+    /// Returns C_q(q, t) with the sizes of this point, ready to be factored.
     pub(crate) fn linearized(&self, q: &[f64], t: f64) -> Result<Linear> {
         let instant = self.instant(q, t)?;
         let mut linear = self.linear();

@@ -1,5 +1,5 @@
-//! The names that a function takes from beside it: with their values and texts put before it, its
-//! own text stands alone.
+//! The names that a function uses from outside its body. With their values and texts put before it,
+//! the text of the function is complete.
 
 use proc_macro2::Ident;
 use quote::ToTokens;
@@ -12,19 +12,19 @@ use crate::constants;
 use crate::parse::{Argument, ConstraintFn, Kind, LawFn};
 use crate::vocabulary::{is_kin_function, is_std_function};
 
-/// The names from beside a function.
+/// The names that a function uses from outside its body.
 #[derive(Default)]
 pub struct Beside {
     /// Constants.
     pub constants: Vec<Ident>,
-    /// Functions, as they are called.
+    /// The functions, as the body calls them.
     pub functions: Vec<String>,
-    /// All else that only a program knows, in words.
+    /// All other names that only a program knows, as words for a message.
     pub unknown: Vec<String>,
 }
 
 impl Beside {
-    /// Those of a function and its attributes.
+    /// Finds the names in a function and its attributes.
     pub fn of(source: &ConstraintFn, lowered: &Lowered) -> Self {
         let demands =
             source.requirements.iter().chain(&source.branches).map(|demand| &demand.condition);
@@ -34,14 +34,15 @@ impl Beside {
         Beside::read(&source.arguments, &asked.collect::<Vec<_>>(), source.written(), lowered)
     }
 
-    /// Those of a law.
+    /// Finds the names in a law.
     pub fn of_law(source: &LawFn, lowered: &Lowered) -> Self {
         let asked: Vec<&Expr> =
             source.requirements.iter().map(|demand| &demand.condition).collect();
         Beside::read(&source.parameters, &asked, source.written(), lowered)
     }
 
-    /// The names in a body, in what was made of it, and in the expressions of its attributes.
+    /// Finds the names in a body, in its interpreted form, and in the expressions of its
+    /// attributes.
     fn read(arguments: &[Argument], asked: &[&Expr], body: &Block, lowered: &Lowered) -> Self {
         let mut beside = Beside::default();
         for argument in arguments.iter().filter(|argument| argument.kind == Kind::Other) {
@@ -56,7 +57,7 @@ impl Beside {
         let own = |name: &Ident| arguments.iter().any(|argument| argument.name == *name);
         beside.constants.retain(|name| !own(name) && !inside.declared.contains(name));
         beside.functions.retain(|name| !inside.functions.contains(name));
-        // Names that the body brings in are known to it alone, but for constants of the standard
+        // Names that the body imports are known only there, except the constants of the standard
         // library.
         let (brought, others) = std::mem::take(&mut beside.constants)
             .into_iter()
@@ -78,13 +79,12 @@ impl Beside {
                 }
                 all.iter().for_each(|part| self.template(part));
             }
-            // A parameter whose type a text knows is read there as here; other types are told
-            // above.
+            // A text can read a parameter whose type it knows. The code above reports other types.
             Template::Parameter(_) | Template::Numbers(..) | Template::State(..) => {}
             Template::Tokens(tokens) if syn::parse2::<syn::Lit>(tokens.clone()).is_ok() => {}
             Template::Tokens(tokens) => self.lacks(format!("`{tokens}`")),
             Template::Part(value, ..) | Template::Matches(value, _) => self.template(value),
-            // A method that the language does not know, of a number.
+            // A method of a number that the language does not know.
             Template::Method(receiver, name, _) if matches!(**receiver, Template::Numbers(..)) => {
                 self.lacks(format!("the method `{name}` of a number"));
             }
@@ -96,7 +96,7 @@ impl Beside {
         }
     }
 
-    /// A path that is no call.
+    /// Visits a path that is no call.
     fn path(&mut self, path: &ExprPath) {
         match path.path.get_ident() {
             Some(name) if name.to_string().starts_with(char::is_uppercase) => {
@@ -125,11 +125,11 @@ impl Beside {
     }
 }
 
-/// Expressions of attributes, which name parameters and what is beside the function.
+/// The expressions of attributes use parameters and names from outside the function.
 impl<'a> Visit<'a> for Beside {
     fn visit_expr(&mut self, expression: &'a Expr) {
         match expression {
-            // The names of parameters are written in small letters.
+            // Parameters have names in small letters.
             Expr::Path(path)
                 if path
                     .path
@@ -152,7 +152,7 @@ fn tidy(tokens: &impl ToTokens) -> String {
     tokens.to_token_stream().to_string().replace(' ', "")
 }
 
-/// A type as it is written.
+/// Returns a type as the user wrote it.
 fn of_type(ty: &syn::Type) -> String {
     let spaced = [
         (" < ", "<"),
@@ -167,7 +167,7 @@ fn of_type(ty: &syn::Type) -> String {
     spaced.iter().fold(ty.to_token_stream().to_string(), |text, (from, to)| text.replace(from, to))
 }
 
-/// The names that a body declares and brings in, wherever in it.
+/// The names that a body declares or imports, at any depth.
 #[derive(Default)]
 struct Inside {
     declared: Vec<Ident>,

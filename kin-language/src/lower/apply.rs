@@ -1,4 +1,4 @@
-//! How functions inside the body are made and applied.
+//! Makes and applies the functions inside the body.
 
 use std::rc::Rc;
 
@@ -15,8 +15,8 @@ use super::value::Value;
 use super::{MOST_CALLS, Read, Reader, Unreadable};
 
 impl Reader {
-    /// A closure sees variables as they are when it is called; `move` makes copies of those that it
-    /// names.
+    /// Makes a closure. A closure sees the variables as they are at the time of the call; with
+    /// `move` it holds copies of those that it names.
     pub fn closure(&mut self, closure: &syn::ExprClosure) -> Read {
         let inputs = closure.inputs.iter().cloned().collect();
         let output = closure.output.clone();
@@ -44,7 +44,7 @@ impl Reader {
         }))))
     }
 
-    /// A value as a function, where it may be one.
+    /// Returns a value as a function, if it can be one.
     pub fn function(&mut self, value: Value, at: &dyn ToTokens) -> Read<Function> {
         match self.loaded(value) {
             Value::Function(function) => Ok(function),
@@ -53,7 +53,8 @@ impl Reader {
         }
     }
 
-    /// The value of a function at `arguments`; `places` are their expressions, for messages.
+    /// Returns the value of a function at `arguments`; `places` are their expressions, for
+    /// messages.
     pub fn apply(
         &mut self,
         function: &Function,
@@ -67,8 +68,8 @@ impl Reader {
         }
         let value = match function {
             Function::Closure(closure) => {
-                // The values that a method hands to it stand nowhere: its own arguments are the
-                // place then.
+                // A method passes values that have no expression. A message then points at the
+                // arguments of the method.
                 let is_handed = places.len() != arguments.len();
                 self.apply_closure(closure, arguments, if is_handed { &closure.head } else { at })
             }
@@ -105,8 +106,9 @@ impl Reader {
         })
     }
 
-    /// A function inside the body sees none of its variables. `places` are the expressions of its
-    /// arguments, for messages, and `given` are the generics in `f::<3>(x)`.
+    /// Applies a function declared inside the body, which sees none of the body's variables.
+    /// `places` are the expressions of its arguments, for messages; `given` are the generics in
+    /// `f::<3>(x)`.
     pub fn apply_inner(
         &mut self,
         item: &ItemFn,
@@ -152,7 +154,7 @@ impl Reader {
         })
     }
 
-    /// A length that is a constant of the body's own.
+    /// Returns the value of a length that is a constant of the body.
     pub fn known_length(&self, length: &Expr) -> Option<usize> {
         let name = length.to_token_stream().to_string();
         match (crate::parse::literal_length(length), self.named(&name)) {
@@ -162,7 +164,7 @@ impl Reader {
         }
     }
 
-    /// Reads something with other variables in sight.
+    /// Reads with other variables in scope.
     pub fn within(&mut self, scopes: Scopes, read: impl FnOnce(&mut Self) -> Read) -> Read {
         let outer = std::mem::replace(&mut self.scopes, scopes);
         self.scopes.push();
@@ -179,7 +181,7 @@ impl Reader {
     }
 }
 
-/// The single names in an expression, each once.
+/// Returns the single names in an expression, each once.
 fn named(expression: &Expr) -> std::collections::BTreeSet<String> {
     #[derive(Default)]
     struct Search(std::collections::BTreeSet<String>);

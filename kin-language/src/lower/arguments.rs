@@ -70,7 +70,8 @@ impl Reader {
         }))
     }
 
-    /// A numeric parameter: one input a number, read where `path` says.
+    /// Makes the value of a numeric parameter, with one input for each number, at `path` in emitted
+    /// code.
     pub(super) fn parameter(&mut self, path: &TokenStream, shape: &Shape) -> Value {
         let paths = component_paths(path, shape);
         let nodes: Vec<Node> = paths
@@ -84,7 +85,7 @@ impl Reader {
     }
 }
 
-/// How emitted code reads each number of a value at `path`.
+/// Returns the expressions by which emitted code reads each number of a value at `path`.
 pub fn component_paths(path: &TokenStream, shape: &Shape) -> Vec<TokenStream> {
     let fields = |names: &[&str]| -> Vec<TokenStream> {
         names

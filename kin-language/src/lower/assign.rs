@@ -16,7 +16,7 @@ impl Reader {
         self.assign(&assign.left, value).map(|()| Value::unit())
     }
 
-    /// `place = value`
+    /// Reads `place = value`.
     pub fn assign(&mut self, place: &Expr, value: Value) -> Read<()> {
         match place {
             Expr::Paren(inner) => self.assign(&inner.expr, value),
@@ -62,7 +62,7 @@ impl Reader {
         pairs.try_for_each(|(place, value)| self.assign(place, value))
     }
 
-    /// `whole[index] = value`, of which the index may be one of several.
+    /// Reads `whole[index] = value`, where the index may have several possible values.
     fn assign_element(&mut self, index: &syn::ExprIndex, value: Value) -> Read<()> {
         let left = Expr::Index(index.clone());
         if let Some(place) = self.place(&left)? {

@@ -8,13 +8,13 @@ use super::value::{Value, entry, position};
 use super::{Read, Reader};
 
 impl Reader {
-    /// A new variable of the innermost scope.
+    /// Declares a variable in the innermost scope.
     pub fn declare(&mut self, name: String, value: Value) {
         let slot = self.store.declare(value);
         self.scopes.declare(name, slot);
     }
 
-    /// The value that a name stands for.
+    /// Returns the value of a name.
     pub fn named(&self, name: &str) -> Option<&Value> {
         match self.scopes.get(name)? {
             Name::Variable(slot) => Some(self.store.get(slot)),
@@ -22,7 +22,7 @@ impl Reader {
         }
     }
 
-    /// The value that a reference refers to; any other value itself.
+    /// Returns the value behind a reference, or any other value unchanged.
     pub fn loaded(&self, value: Value) -> Value {
         match value.referent() {
             Value::Place(place) => {
@@ -35,7 +35,7 @@ impl Reader {
         }
     }
 
-    /// The value at a place.
+    /// Returns the value at a place.
     pub fn at_place(&self, place: &Place) -> Option<Value> {
         let mut value = self.store.get(place.slot);
         for (k, step) in place.steps.iter().enumerate() {
@@ -56,7 +56,7 @@ impl Reader {
         Some(value.clone())
     }
 
-    /// Puts a value at a place; `None` if there is no such place.
+    /// Stores a value at a place, and returns `None` if the place does not exist.
     pub fn put_at(&mut self, place: &Place, value: Value, at: &dyn ToTokens) -> Option<()> {
         let mut whole = self.store.get(place.slot).clone();
         if let (Value::Place(inner), true) = (through(&whole), !place.steps.is_empty()) {
@@ -126,7 +126,7 @@ impl Reader {
         }
     }
 
-    /// The place that an expression is, if it is one, and what is put there is known.
+    /// Returns the place of an expression, if it has one with a known value.
     pub fn place(&mut self, expression: &Expr) -> Read<Option<Place>> {
         Ok(match expression {
             Expr::Paren(inner) => self.place(&inner.expr)?,
@@ -161,7 +161,7 @@ impl Reader {
         })
     }
 
-    /// The place of something that is looked into: through references.
+    /// Returns the place of an expression whose part is read, following references.
     pub fn looked_into(&mut self, expression: &Expr) -> Read<Option<Place>> {
         let Some(place) = self.place(expression)? else { return Ok(None) };
         Ok(Some(match self.at_place(&place) {
@@ -199,13 +199,14 @@ impl Reader {
         })
     }
 
-    /// `base.member`, where the base is a place.
+    /// Returns `base.member` if the base is a place.
     pub fn field_of_place(&mut self, base: &Expr, member: &Member) -> Read<Option<Value>> {
         let Some(place) = (if is_place(base) { self.looked_into(base)? } else { None }) else {
             return Ok(None);
         };
         let name = member.to_token_stream().to_string();
-        // Only of what is put together: of anything else the whole is asked for the field.
+        // Only a composite value has parts here. For any other value the caller reads the field
+        // from the whole.
         Ok(match self.at_place(&place) {
             Some(Value::Tuple(_) | Value::Adt(_)) => self.at_place(&place.field(&name)),
             _ => None,
@@ -213,7 +214,7 @@ impl Reader {
     }
 }
 
-/// True if an expression names a variable or a part of one, without a call.
+/// Returns true if an expression names a variable or a part of one, without a call.
 fn is_place(expression: &Expr) -> bool {
     match expression {
         Expr::Path(_) => true,
@@ -230,7 +231,7 @@ fn through(value: &Value) -> &Value {
     }
 }
 
-/// The part of a value at the end of some steps.
+/// Returns the part of a value at the end of some steps.
 fn part(value: Value, steps: &[Step]) -> Option<Value> {
     let Some((step, rest)) = steps.split_first() else { return Some(value) };
     match (value.referent(), step) {
@@ -255,7 +256,7 @@ fn part(value: Value, steps: &[Step]) -> Option<Value> {
     }
 }
 
-/// The numbers of a value with components, and which of them is meant.
+/// Returns the numbers of a value with components, and the index of the selected one.
 fn component<'a>(
     value: &'a mut Value,
     step: &Step,

@@ -1,4 +1,4 @@
-//! `if`, `match` and their conditions, with the variables that patterns in them bring in.
+//! Reads `if` and `match`, their conditions, and the variables that their patterns bind.
 
 use syn::{BinOp, Expr, ExprIf, ExprMatch, Pat};
 
@@ -15,7 +15,7 @@ impl Reader {
             condition,
             |reader| reader.block(&branch.then_branch),
             |reader| {
-                // The variables that the condition brings in are not seen here.
+                // The variables that the condition binds are out of scope here.
                 let inside = reader.scopes.take();
                 let value = match &branch.else_branch {
                     Some((_, otherwise)) => reader.expression(otherwise),
@@ -30,7 +30,7 @@ impl Reader {
         value
     }
 
-    /// A condition with `let` in it; its variables go into the innermost scope.
+    /// Reads a condition that contains `let`; its variables go into the innermost scope.
     pub fn tested_condition(&mut self, condition: &Expr) -> Read<Node> {
         match condition {
             Expr::Paren(inner) => self.tested_condition(&inner.expr),
@@ -62,7 +62,7 @@ impl Reader {
         }
     }
 
-    /// The value that a `match` looks at.
+    /// Reads the value that a `match` examines.
     pub fn matchable(&mut self, expression: &Expr) -> Read {
         match self.raw_expression(expression)? {
             other @ (Value::Function(_)
@@ -77,7 +77,7 @@ impl Reader {
         }
     }
 
-    /// The value of the arms from number `k` on. The last one is taken without a test, since a
+    /// Returns the value of the arms from number `k` on. The last arm needs no test, since a
     /// `match` is exhaustive.
     fn arms(&mut self, branch: &ExprMatch, value: &Value, k: usize) -> Read {
         let Some(arm) = branch.arms.get(k) else {
@@ -102,7 +102,7 @@ impl Reader {
         result
     }
 
-    /// The condition under which a value matches a pattern and its guard.
+    /// Returns the condition under which a value matches a pattern and its guard.
     pub fn tested(&mut self, pattern: &Pat, guard: Option<&Expr>, value: &Value) -> Read<Node> {
         let matched = self.test(pattern, value)?;
         let Some(guard) = guard else { return Ok(matched) };
@@ -117,7 +117,7 @@ impl Reader {
     }
 }
 
-/// True if a condition has `let` in it.
+/// Returns true if a condition contains `let`.
 fn holds_let(condition: &Expr) -> bool {
     match condition {
         Expr::Let(_) => true,

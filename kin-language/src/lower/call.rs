@@ -1,5 +1,5 @@
-//! Calls: vectors and matrices by their constructors, f64's functions as paths, functions of the
-//! body's own and of the user's.
+//! Calls: constructors of vectors and matrices, functions of f64 by path, functions declared in the
+//! body, and functions of the user's program.
 
 mod components;
 
@@ -46,7 +46,7 @@ impl Reader {
         })
     }
 
-    /// A call of a function of the body's own, `f::<3>(x)`, within the depth of calls.
+    /// Calls a function declared in the body, `f::<3>(x)`, within the allowed depth of calls.
     fn apply_given(
         &mut self,
         item: &syn::ItemFn,
@@ -89,7 +89,7 @@ impl Reader {
         }
     }
 
-    /// A call of a function by its name.
+    /// Calls a function by its name.
     pub fn call_path(
         &mut self,
         path: &ExprPath,
@@ -156,7 +156,8 @@ impl Reader {
         }
     }
 
-    /// A constructor or function of vectors, matrices and numbers, or one of the user's own.
+    /// Calls a constructor or a function of vectors, matrices and numbers, or else a function of
+    /// the user's program.
     fn call_known(&mut self, names: &[&str], arguments: Vec<Value>, call: &Call) -> Read {
         let Call { path, places, at } = *call;
         match names[..] {
@@ -208,7 +209,7 @@ impl Reader {
         }
     }
 
-    /// `f64::sin(x)`
+    /// Calls `f64::sin(x)`.
     fn number_function(&mut self, function: &str, mut arguments: Vec<Value>, call: &Call) -> Read {
         if arguments.is_empty() {
             return Ok(self.mistake(call.at, format!("`f64::{function}` needs an argument")));
@@ -243,14 +244,15 @@ impl Reader {
         Ok(self.scalar_function(x, function, &rest, call.at))
     }
 
-    /// True if a value depends on coordinates or time.
+    /// Returns true if a value depends on coordinates or time.
     pub fn value_varies(&self, value: &Value) -> bool {
         let numbers = value.clone().referent().numbers();
         numbers
             .is_some_and(|(nodes, _)| nodes.iter().any(|&node| self.graph.depends(node).varies()))
     }
 
-    /// A function of f64 like `to_bits`, of something that depends on coordinates or time.
+    /// Reports a function of f64 without a derivative, such as `to_bits`, on a value that depends
+    /// on coordinates or time.
     pub fn no_derivative(&mut self, function: &str, at: &dyn ToTokens) -> Value {
         self.mistake(
             at,
@@ -258,7 +260,7 @@ impl Reader {
         )
     }
 
-    /// `std::array::from_fn(f)`, of the length in its type arguments or that of its place.
+    /// Reads `std::array::from_fn(f)` with the length from its type arguments or from its place.
     fn array_from_fn(&mut self, mut arguments: Vec<Value>, call: &Call) -> Read {
         let value = arguments.remove(0).referent();
         let Some(place) = call.places.first() else {
@@ -278,8 +280,8 @@ impl Reader {
         }
     }
 
-    /// A function of the user's: repeated in emitted code, called with numbers that carry
-    /// derivatives where its arguments do.
+    /// Calls a function of the user's program. Emitted code repeats the call; it passes numbers
+    /// that carry derivatives where the arguments do.
     fn own_function(
         &mut self,
         callee: Template,
@@ -304,7 +306,7 @@ impl Reader {
         self.graph.call(Function::Sqrt, square)
     }
 
-    /// a (1 − t) + b t
+    /// Returns a (1 − t) + b t.
     pub fn lerp(&mut self, a: &[Node], b: &[Node], t: Node) -> Vec<Node> {
         let one = self.graph.constant(1.0);
         let rest = self.graph.sub(one, t);
@@ -330,7 +332,7 @@ impl Call<'_> {
     }
 }
 
-/// That what is called is no function, and what was meant by it.
+/// Returns the message for a call of a value that is no function, with a suggestion.
 fn not_called(value: &Value, name: &str) -> String {
     match value {
         Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
@@ -353,7 +355,7 @@ fn not_called(value: &Value, name: &str) -> String {
     }
 }
 
-/// The place of a call's parentheses, which are its last token.
+/// Returns the span of a call's parentheses, which are its last token.
 fn last_span(at: &dyn ToTokens) -> Span {
     at.to_token_stream().into_iter().last().map_or_else(Span::call_site, |token| token.span())
 }
@@ -366,7 +368,7 @@ fn strip(expression: &Expr) -> &Expr {
     }
 }
 
-/// A single name, with the arguments in `f::<3>`.
+/// Returns the single name of a path, with the arguments in `f::<3>`.
 fn single_name(path: &ExprPath) -> Option<(String, Option<&syn::AngleBracketedGenericArguments>)> {
     let segment = path
         .path

@@ -1,6 +1,6 @@
-//! From values to what a place asks for: a number, a vector, a condition, a value of a type that is
-//! written there. An opaque value becomes what its place says; unless a place says otherwise it is
-//! a number.
+//! Converts values to the type that a place needs: a number, a vector, a condition, or a value of a
+//! declared type. An opaque value gets the type of its place, and is a number where the place gives
+//! none.
 
 use quote::{ToTokens, quote};
 use syn::{BinOp, UnOp};
@@ -13,7 +13,7 @@ use super::value::Value;
 use super::{OpaqueKind, OpaqueValue, Read, Reader, Unreadable};
 
 impl Reader {
-    /// A number; a mistake at `at` (and some number) if it is something else.
+    /// Returns a number; anything else is a mistake at `at` and gives a substitute number.
     pub fn scalar(&mut self, value: Value, at: &dyn ToTokens) -> Node {
         match self.shaped(value, &Shape::Scalar, at) {
             Value::Scalar(node) => node,
@@ -21,7 +21,7 @@ impl Reader {
         }
     }
 
-    /// A vector of `n` components, or a mistake at `at`.
+    /// Returns a vector of `n` components, or reports a mistake at `at`.
     pub fn vector(&mut self, value: Value, n: usize, at: &dyn ToTokens) -> Vec<Node> {
         match self.shaped(value, &Shape::Vector(n), at) {
             Value::Vector(nodes) => nodes,
@@ -29,7 +29,7 @@ impl Reader {
         }
     }
 
-    /// A vector, or an array or tuple that converts into one.
+    /// Returns a vector, also from an array or tuple that converts into one.
     pub fn convertible(&mut self, value: Value, n: usize, at: &dyn ToTokens) -> Vec<Node> {
         match self.loaded(value) {
             Value::Array(all) | Value::Tuple(all) if all.len() == n => {
@@ -39,13 +39,13 @@ impl Reader {
         }
     }
 
-    /// Stands for a number after a mistake; depends on a coordinate, so that no second message
-    /// follows from it.
+    /// Returns the substitute for a number after a mistake. It depends on a coordinate, so that no
+    /// second message follows.
     fn poison(&mut self) -> Node {
         self.graph.input(Input::State(0, Part::Theta))
     }
 
-    /// A condition, or a mistake at `at`.
+    /// Returns a condition, or reports a mistake at `at`.
     pub fn condition(&mut self, value: Value, at: &dyn ToTokens) -> Node {
         match self.loaded(value) {
             Value::Condition(node) => node,
@@ -77,7 +77,7 @@ impl Reader {
         }
     }
 
-    /// A value of `shape`, or a mistake at `at`.
+    /// Returns a value of `shape`, or reports a mistake at `at`.
     pub fn shaped(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
         match (value, shape) {
             (Value::Reference(inner), shape) => self.shaped(*inner, shape, at),
@@ -122,7 +122,7 @@ impl Reader {
         }
     }
 
-    /// One of several values: each as what the place asks for.
+    /// Converts each of several possible values to the shape of the place.
     fn shaped_choice(
         &mut self,
         all: Vec<(Node, Value)>,
@@ -139,7 +139,7 @@ impl Reader {
         joined
     }
 
-    /// `value.into()` in a place of `shape`.
+    /// Reads `value.into()` at a place of `shape`.
     fn converted(&mut self, value: Value, shape: &Shape, at: &dyn ToTokens) -> Value {
         match (self.loaded(value), shape) {
             (Value::Vector(v), Shape::Array(inner, n))
@@ -153,13 +153,13 @@ impl Reader {
         }
     }
 
-    /// A value of `shape` where there is none: not a number.
+    /// Returns a value of `shape` whose numbers are NaN, where no value exists.
     pub fn nowhere(&mut self, shape: &Shape) -> Value {
         let nan = self.graph.constant(f64::NAN);
         Value::from_numbers(shape, &mut std::iter::repeat(nan)).unwrap_or(Value::Never)
     }
 
-    /// An opaque value in a place of `shape`; its nodes are of the expression that it comes from.
+    /// Converts an opaque value to `shape`; its nodes belong to the expression that made it.
     fn opaque_shaped(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
         let first = self.graph.len();
         let expression = self.expressions.of_template(&template);
@@ -170,8 +170,8 @@ impl Reader {
         value
     }
 
-    /// Arithmetic with values of the graph in it is done in the graph; anything else is computed as
-    /// a whole.
+    /// Computes arithmetic with values of the graph in the graph, and any other template as a
+    /// whole.
     fn computed(&mut self, template: Template, shape: &Shape, at: &dyn ToTokens) -> Value {
         let known = !template.nodes().is_empty();
         let scalar = *shape == Shape::Scalar;
@@ -226,13 +226,13 @@ impl Reader {
         }
     }
 
-    /// True if a template depends on a coordinate or on time.
+    /// Returns true if a template depends on a coordinate or on time.
     pub fn varies(&self, template: &Template) -> bool {
         template.nodes().iter().any(|&n| self.graph.depends(n).varies())
     }
 
-    /// Components of an opaque value. Where it depends on coordinates or time it is a leaf, called
-    /// with numbers that carry derivatives.
+    /// Returns the components of an opaque value. If it depends on coordinates or time it is a leaf
+    /// of the graph, which emitted code calls with numbers that carry derivatives.
     fn opaque(&mut self, template: Template, kind: OpaqueKind) -> Vec<Node> {
         let count = if let OpaqueKind::Numbers(shape) = &kind { shape.count() } else { 1 };
         if kind != OpaqueKind::Condition && self.varies(&template) {
@@ -249,8 +249,8 @@ impl Reader {
         (0..count).map(|k| self.graph.opaque(number, k)).collect()
     }
 
-    /// A template that may panic is not computed where a branch around it is not taken, so far as
-    /// that depends on parameters only.
+    /// Guards a template that may panic: emitted code does not compute it where a branch around it
+    /// is not taken, as far as that depends on parameters only.
     fn guarded(&mut self, template: Template) -> Template {
         if !template.may_panic() {
             return template;
@@ -280,7 +280,7 @@ impl Reader {
         (0..count).map(|k| self.graph.leaf_output(number, k, LeafNumber::Value)).collect()
     }
 
-    /// A value as it is handed to something that only rustc knows.
+    /// Returns a value as a template, for an expression that only rustc knows.
     pub fn template(&mut self, value: Value, at: &dyn ToTokens) -> Read<Template> {
         if let Some((nodes, shape)) = value.numbers()
             && !matches!(value, Value::Reference(_))
@@ -335,7 +335,7 @@ impl Reader {
 }
 
 impl Reader {
-    /// The state of a body in the plane or in space, by all its numbers.
+    /// Returns the template of the state of a planar or spatial body, with all its numbers.
     fn state_template(&mut self, slot: usize, n: usize, at: &dyn ToTokens) -> Template {
         let mut nodes = self.origin(slot, n);
         if n == 2 {

@@ -1,4 +1,5 @@
-//! Iterators without an end: as many of their values are made as something beside them asks for.
+//! Iterators without an end. The interpreter makes as many values as another iterator or method
+//! needs.
 
 use std::rc::Rc;
 
@@ -28,7 +29,7 @@ pub enum Endless {
 }
 
 impl Reader {
-    /// The first `n` values, fewer where there are no more.
+    /// Returns the first `n` values, or fewer if the iterator ends before.
     pub fn first_of_endless(
         &mut self,
         endless: &Endless,
@@ -86,7 +87,7 @@ impl Reader {
         Ok(all)
     }
 
-    /// A method of an iterator without an end.
+    /// Calls a method of an iterator without an end.
     pub fn endless_method(
         &mut self,
         endless: Endless,
@@ -131,7 +132,8 @@ impl Reader {
         })
     }
 
-    /// Values up to the first for which a condition does not hold, which has to be known here.
+    /// Returns the values before the first one for which a condition does not hold; the condition
+    /// must be known during the reading.
     fn taken_while(
         &mut self,
         endless: &Endless,
@@ -155,8 +157,8 @@ impl Reader {
         }
     }
 
-    /// `repeat(x)`, `repeat_n(x, n)`, `successors(first, next)`; `None` if the function is none of
-    /// these.
+    /// Reads `repeat(x)`, `repeat_n(x, n)`, `successors(first, next)`; returns `None` for any other
+    /// function.
     pub fn endless_by_path(
         &mut self,
         name: &str,

@@ -1,4 +1,4 @@
-//! Expressions: the table of what is read how.
+//! Expressions: the table of the reading of each kind.
 
 mod index;
 mod whole;
@@ -19,13 +19,14 @@ use crate::vocabulary::is_integer;
 const LET_WITHIN: &str = "`let` begins a statement, or tests a pattern in the condition of an `if` or `while`: a `;` is missing before it";
 
 impl Reader {
-    /// The value of an expression; of a reference, what it refers to.
+    /// Returns the value of an expression. If it is a reference, the function returns the value
+    /// behind it.
     pub fn expression(&mut self, expression: &Expr) -> Read {
         let value = self.raw_expression(expression)?;
         Ok(self.loaded(value))
     }
 
-    /// The value of an expression, which may be a reference.
+    /// Returns the value of an expression, which may be a reference.
     pub fn raw_expression(&mut self, expression: &Expr) -> Read {
         self.expressions_read += 1;
         if self.graph.len() > MOST_NODES || self.expressions_read > MOST_EXPRESSIONS {
@@ -72,7 +73,7 @@ impl Reader {
             Expr::Continue(leaving) => self.continue_expression(leaving),
             Expr::Return(leaving) => self.return_expression(leaving),
             Expr::Try(tried) => self.try_expression(tried),
-            // Conditions with `let` in them are read by `tested_condition`.
+            // `tested_condition` reads the conditions that contain `let`.
             Expr::Let(test) => Ok(self.mistake(&test.let_token, LET_WITHIN)),
             Expr::Assign(assign) => self.assignment(assign),
             Expr::Cast(cast) => self.cast(cast),
@@ -103,7 +104,7 @@ impl Reader {
         }
     }
 
-    /// A variable, or else a path that only rustc knows.
+    /// Reads a variable, or a path that only rustc knows.
     fn path(&mut self, path: &syn::ExprPath) -> Read {
         let known = path.path.get_ident().and_then(|name| self.named(&name.to_string()).cloned());
         if let (None, Some(constant)) = (&known, self.own_constant(path)?) {
@@ -148,7 +149,7 @@ impl Reader {
         }
     }
 
-    /// `Shape::Flat`, of an enum that the body declares.
+    /// Returns true for a variant such as `Shape::Flat` of an enum that the body declares.
     fn is_own_variant(&self, path: &syn::ExprPath) -> bool {
         let names: Vec<String> = self
             .own
@@ -161,7 +162,7 @@ impl Reader {
         ty.is_some_and(|ty| self.own.is_type(ty)) && crate::vocabulary::is_type_name(path)
     }
 
-    /// The variables around a word in small letters.
+    /// Returns the variables in scope at a name in small letters.
     fn variables_beside(&self, path: &syn::ExprPath) -> Rc<[Ident]> {
         let Some(word) = path.path.get_ident() else { return Rc::from([]) };
         if word.to_string().chars().any(char::is_uppercase) {
@@ -187,7 +188,7 @@ impl Reader {
         })
     }
 
-    /// `&mut place`, or `&mut` of a value that has no other name.
+    /// Reads `&mut place`, or `&mut` of a value without a name.
     fn mutable_reference(&mut self, of: &Expr, word: &syn::token::Mut) -> Read {
         if let Some(place) = self.place(of)? {
             self.change(of, &place);
@@ -218,7 +219,7 @@ impl Reader {
         self.each(base, &field.base, &mut |reader, base| reader.field(base, &field.member))
     }
 
-    /// `base.member`
+    /// Reads `base.member`.
     pub fn field(&mut self, base: Value, member: &Member) -> Read {
         let name = member.to_token_stream().to_string();
         let found = match &base {
@@ -256,7 +257,7 @@ impl Reader {
         self.repeated(&repeat.expr, &repeat.len)
     }
 
-    /// `[value; length]`
+    /// Reads `[value; length]`.
     pub fn repeated(&mut self, value: &Expr, length: &Expr) -> Read {
         let value = self.expression(value)?;
         match self.expression(length)? {
@@ -354,7 +355,7 @@ impl Reader {
     }
 }
 
-/// A parameter's name where it stands in the body, for messages.
+/// Returns the name of a parameter with the span of its use in the body, for messages.
 fn at(mut name: syn::Ident, path: &syn::ExprPath) -> syn::Ident {
     if let Some(word) = path.path.get_ident() {
         name.set_span(word.span());
@@ -362,7 +363,7 @@ fn at(mut name: syn::Ident, path: &syn::ExprPath) -> syn::Ident {
     name
 }
 
-/// True if an integer keeps its value under `as`.
+/// Returns true if an integer keeps its value under `as`.
 fn fits(k: i64, name: &str) -> bool {
     match name {
         "u8" => u8::try_from(k).is_ok(),
@@ -398,7 +399,7 @@ fn field_cure(base: &Value, name: &str) -> &'static str {
     }
 }
 
-/// The name of the whole expression in a remark.
+/// Returns the name of the whole expression in a remark.
 fn describe(expression: &Expr) -> &'static str {
     match expression {
         Expr::Unsafe(_) => "`unsafe`",

@@ -1,6 +1,7 @@
-//! The flow of control: branches by open conditions, and what leaves its place early. `return`,
-//! `break` and `continue` are one mechanism: a way out of a frame, with the condition under which
-//! it is taken, its value, and the variables as they were. At the frame's end the ways are joined.
+//! The flow of control: branches by conditions that depend on coordinates, and exits before the
+//! end. `return`, `break` and `continue` share one mechanism: an exit from a frame, with the
+//! condition under which the code takes it, its value, and the variables at that point. The end of
+//! the frame joins all exits.
 
 use quote::ToTokens;
 
@@ -19,28 +20,30 @@ pub enum Kind {
     Block,
 }
 
-/// Something that is being read and can be left before its end.
+/// A part of the body that the code can leave before its end, while the interpreter reads it.
 pub struct Frame {
     kind: Kind,
     label: Option<String>,
     exits: Vec<Exit>,
-    /// How long the path was, and where the log stood.
+    /// The length of [`Reader`]'s `path` at the beginning of the frame.
     path: usize,
+    /// The position in the log of variables at the beginning of the frame.
     since: Mark,
 }
 
-/// A way out.
+/// An exit from a frame: the condition, the value of the frame, and the changed variables.
 struct Exit {
     condition: Node,
     value: Value,
     changes: Changes,
 }
 
-/// A fact that is known where something is read: a condition of a branch around it, or that a frame
-/// has not been left.
+/// A condition that holds at the present position: of a branch around it, or that the code has not
+/// left a frame.
 #[derive(Clone, Copy)]
 pub struct Guard {
     pub holds: Node,
+    /// The number of the frame that the code has not left, or `None` for a branch.
     left: Option<usize>,
 }
 
@@ -50,7 +53,7 @@ impl Guard {
     }
 }
 
-/// How many ways out of one frame there may be.
+/// The most exits of one frame: a body with more of them takes the dual route.
 const MOST_EXITS: usize = 256;
 
 impl Reader {
@@ -60,17 +63,17 @@ impl Reader {
         self.frames.push(Frame { kind, label, exits: vec![], path: self.path.len(), since });
     }
 
-    /// How many ways out of the innermost frame have been found.
+    /// Returns how many exits of the innermost frame have been found.
     pub fn exits(&self) -> usize {
         self.frames.last().map_or(0, |frame| frame.exits.len())
     }
 
-    /// The labels of the loops and blocks around what is read.
+    /// Returns the labels of the loops and blocks around the present position.
     pub fn labels(&self) -> impl Iterator<Item = &str> {
         self.frames.iter().filter_map(|frame| frame.label.as_deref())
     }
 
-    /// The number of the frame that is left.
+    /// Returns the number of the frame that a statement leaves.
     pub fn frame(&self, wanted: impl Fn(Kind) -> bool, label: Option<&str>) -> Option<usize> {
         let function =
             self.frames.iter().rposition(|frame| frame.kind == Kind::Function).unwrap_or(0);
@@ -91,7 +94,7 @@ impl Reader {
             .filter(|guard| guard.left.is_none_or(|left| left > number))
             .map(|guard| guard.holds)
             .collect();
-        // Nobody sees the variables after the function itself.
+        // No code reads the variables after the end of the function.
         let changes = if number == 0 { Changes::new() } else { self.store.changes(frame.since) };
         let always = self.graph.bool(true);
         let condition = on_the_way.into_iter().fold(always, |all, one| self.graph.and(all, one));
@@ -101,8 +104,7 @@ impl Reader {
         Ok(Value::Left)
     }
 
-    /// Ends the innermost frame, whose own end is reached with `value`: all ways out of it are
-    /// joined.
+    /// Ends the innermost frame, whose end gives `value`, and joins all exits from it.
     pub fn exit(&mut self, value: Value, at: &dyn ToTokens) -> Read {
         let Some(Frame { exits, path, since, .. }) = self.frames.pop() else { return Ok(value) };
         let outside = self.frames.len();
@@ -150,8 +152,8 @@ impl Reader {
         Ok(value)
     }
 
-    /// Reads both branches, unless the condition is known, and joins their values and what they did
-    /// to variables.
+    /// Reads both branches, unless the condition is known, and joins their values and their changes
+    /// of variables.
     pub fn choose(
         &mut self,
         condition: Node,
@@ -183,7 +185,7 @@ impl Reader {
         self.joined(condition, &a, &b, at)
     }
 
-    /// Joins what two branches did to variables; those of the second one are in hand.
+    /// Joins the changes of variables in two branches; the store holds those of the second branch.
     fn variables_of_both(
         &mut self,
         condition: Node,
@@ -203,7 +205,7 @@ impl Reader {
                 [Value::Left, Value::Left] => continue,
                 [Value::Left, _] => continue,
                 [_, Value::Left] => a.clone(),
-                // Behind `panic!` no variable is read.
+                // No code after `panic!` reads a variable.
                 [Value::Never, _] if matches!(a, Value::Unassigned) => b.clone(),
                 [_, Value::Never] if matches!(b, Value::Unassigned) => a.clone(),
                 _ => self.variable_of_both(condition, a, b, at)?,
@@ -238,8 +240,8 @@ impl Reader {
         }
     }
 
-    /// Notes a fact that is known behind two branches: that none of the frames has been left that
-    /// were left in one of them.
+    /// Adds a condition that holds after two branches: the code has left none of the frames that
+    /// one of the branches leaves.
     fn not_left(&mut self, condition: Node, yes: &[Guard], no: &[Guard]) {
         let frames: std::collections::BTreeSet<usize> =
             yes.iter().chain(no).filter_map(|guard| guard.left).collect();
@@ -259,7 +261,7 @@ impl Reader {
         }
     }
 
-    /// One of several values: what `f` makes of each, joined.
+    /// Applies `f` to each of several possible values and joins the results.
     pub fn each(
         &mut self,
         value: Value,
@@ -294,8 +296,8 @@ impl Reader {
         }
     }
 
-    /// The part of a condition that is not known yet on the way to here: of alternatives the ones
-    /// before are none.
+    /// Returns the part of a condition that is not known at the present position. The condition of
+    /// an alternative begins with the negation of those before it, which the path already contains.
     fn left_open(&mut self, condition: Node) -> Node {
         match self.graph.op(condition) {
             Op::And(a, b) if self.path.iter().any(|guard| guard.holds == a) => self.left_open(b),
@@ -303,7 +305,7 @@ impl Reader {
         }
     }
 
-    /// The same for several values at once.
+    /// Applies `f` to each combination of several possible values and joins the results.
     pub fn each_list(
         &mut self,
         mut values: Vec<Value>,

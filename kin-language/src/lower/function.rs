@@ -7,19 +7,19 @@ use syn::{Expr, ItemFn, Pat, ReturnType};
 
 use super::scope::Scopes;
 
-/// Something that can be applied to values.
+/// A function that can be applied to values.
 #[derive(Clone)]
 pub enum Function {
     Closure(Rc<Closure>),
-    /// A function declared inside the body, and the number of the scope it is declared in.
+    /// A function declared inside the body, and the number of the scope that declares it.
     Inner(Rc<ItemFn>, usize),
-    /// `f64::sin`, or a function of the user's by its name.
+    /// `f64::sin`, or the name of a function of the user's program.
     Path(Rc<syn::ExprPath>),
 }
 
-/// A closure with the variables that it sees.
+/// A closure with the variables in its scope.
 pub struct Closure {
-    /// Its arguments with the bars around them, for messages.
+    /// The arguments with the bars around them, for messages.
     pub head: TokenStream,
     pub inputs: Vec<Pat>,
     pub output: ReturnType,

@@ -1,5 +1,5 @@
-//! Functions with generics inside of the body: what their types and lengths are, by the values that
-//! they are given.
+//! Functions with generics inside the body: the types and lengths of a call, from the values of its
+//! arguments.
 
 use std::collections::BTreeMap;
 
@@ -10,14 +10,14 @@ use syn::{Expr, FnArg, GenericArgument, GenericParam, ItemFn, PathArguments, Typ
 use super::own::Own;
 use super::value::Value;
 
-/// The types and numbers that the generics of a function stand for in one call.
+/// The types and numbers of the generics of a function in one call.
 #[derive(Default)]
 pub struct Found {
     types: BTreeMap<String, Type>,
     pub lengths: BTreeMap<String, usize>,
 }
 
-/// The generics of a function so far as they are known; `None` if it has none.
+/// Returns the known generics of a function, or `None` if it has no generics.
 pub fn found(
     item: &ItemFn,
     arguments: &[Value],
@@ -32,7 +32,7 @@ pub fn found(
         return None;
     }
     let mut found = Found::default();
-    // Of what nothing is known may be anything.
+    // A generic about which no argument says anything may be any type.
     found.types.extend(
         generics.type_params().map(|parameter| (parameter.ident.to_string(), parse_quote!(_))),
     );
@@ -62,7 +62,7 @@ pub fn found(
     Some(found)
 }
 
-/// The name of a type or a length; lifetimes are none.
+/// Returns the name of a type or a length; a lifetime has none.
 fn name(parameter: &GenericParam) -> Option<String> {
     match parameter {
         GenericParam::Type(ty) => Some(ty.ident.to_string()),
@@ -102,7 +102,8 @@ impl Found {
         }
     }
 
-    /// From a value of `Vec<T>`, `Option<T>`, or a generic type of the body's own.
+    /// Reads generics from a value of `Vec<T>`, `Option<T>`, or a generic type that the body
+    /// declares.
     fn learn_of_generics(&mut self, path: &syn::Path, value: &Value, names: &[String], own: &Own) {
         let Some(PathArguments::AngleBracketed(given)) =
             path.segments.last().map(|last| &last.arguments)
@@ -137,7 +138,7 @@ impl Found {
         }
     }
 
-    /// The function with types in the place of its generics.
+    /// Returns the function with types instead of its generics.
     pub fn put_into(&self, item: &ItemFn) -> ItemFn {
         let mut item = item.clone();
         Substitution(&self.types).visit_item_fn_mut(&mut item);
@@ -145,7 +146,7 @@ impl Found {
     }
 }
 
-/// Types in the place of names.
+/// The visitor that replaces names by types.
 pub struct Substitution<'a>(pub &'a BTreeMap<String, Type>);
 
 impl VisitMut for Substitution<'_> {
@@ -160,7 +161,7 @@ impl VisitMut for Substitution<'_> {
         visit_mut::visit_type_mut(self, ty);
     }
 
-    /// `T::from(x)`
+    /// Replaces the type in `T::from(x)`.
     fn visit_path_mut(&mut self, path: &mut syn::Path) {
         if let Some(first) = path.segments.first()
             && let Some(Type::Path(meant)) = self.0.get(&first.ident.to_string())
@@ -173,7 +174,7 @@ impl VisitMut for Substitution<'_> {
     }
 }
 
-/// The type of a value made of numbers.
+/// Returns the type of a value made of numbers.
 fn type_of(value: &Value) -> Option<Type> {
     Some(match value {
         Value::Scalar(_) => parse_quote!(f64),

@@ -1,15 +1,15 @@
-//! Integers known while the body is read, as rustc would compute them: of the type that they are
-//! known to be of.
+//! Integers that are known during the reading, computed as rustc would compute them in their type.
 //!
-//! Where the type is not known here (rustc infers it from all uses), an integer is taken as an
-//! `i32`, and the difference of two that are not negative as possibly of an unsigned type. What may
-//! overflow there is not computed here: the body goes to rustc, which panics or refuses it.
+//! If the type is not known here (rustc infers it from all uses), an integer counts as an `i32`,
+//! and a negative difference of two integers that are not negative may have an unsigned type. The
+//! interpreter does not compute an operation that may overflow: the body then goes to rustc, which
+//! panics or refuses it.
 
 use syn::BinOp;
 
 use super::value::Value;
 
-/// A type of integers: how many bits it has, and whether it is signed.
+/// A type of integers: its number of bits, and its sign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct IntegerType {
     bits: u32,
@@ -17,7 +17,7 @@ pub struct IntegerType {
 }
 
 impl IntegerType {
-    /// The type of that name.
+    /// Returns the type with this name.
     pub fn named(name: &str) -> Option<Self> {
         let (first, bits) = name.split_at_checked(1)?;
         let signed = match first {
@@ -29,7 +29,8 @@ impl IntegerType {
             "8" => 8,
             "16" => 16,
             "32" => 32,
-            // The least that a machine has: what overflows there is not for here.
+            // The least width that a machine has: the interpreter does not compute what overflows
+            // there.
             "size" => 32,
             "64" | "128" => 63,
             _ => return None,
@@ -41,15 +42,15 @@ impl IntegerType {
         !self.signed
     }
 
-    /// True of a type some of whose values no `f64` is.
+    /// Returns true for a type with values that `f64` does not have.
     pub fn is_wide(self) -> bool {
         self.bits > 32
     }
 
-    /// Of lengths and indices.
+    /// The type of lengths and indices.
     pub const SIZE: IntegerType = IntegerType { bits: 32, signed: false };
 
-    /// Of what nothing more is known of.
+    /// The type of an integer about which nothing else is known.
     const DEFAULT: IntegerType = IntegerType { bits: 32, signed: true };
 
     fn holds(self, value: i64) -> bool {
@@ -62,7 +63,7 @@ impl IntegerType {
     }
 }
 
-/// The type that two integers have in common; `Err` if they have none.
+/// Returns the common type of two integers, or `Err` if they have none.
 fn common(a: Option<IntegerType>, b: Option<IntegerType>) -> Result<Option<IntegerType>, ()> {
     match (a, b) {
         (Some(a), Some(b)) if a != b => Err(()),
@@ -70,13 +71,13 @@ fn common(a: Option<IntegerType>, b: Option<IntegerType>) -> Result<Option<Integ
     }
 }
 
-/// `a op b` by i64, if that is what rustc computes; `None` where it may panic, or is not known.
+/// Returns `a op b`, or `None` if the operation may panic or its result is not known here.
 pub fn operate(
     op: &BinOp,
     (a, x): (i64, Option<IntegerType>),
     (b, y): (i64, Option<IntegerType>),
 ) -> Option<Value> {
-    // The amount of a shift may be of any type.
+    // The amount of a shift may have any integer type.
     let shifts = matches!(op, BinOp::Shl(_) | BinOp::Shr(_));
     let ty = if shifts { x } else { common(x, y).ok()? };
     let value = match op {
@@ -99,21 +100,22 @@ fn amount(bits: i64, ty: Option<IntegerType>) -> Option<u32> {
     u32::try_from(bits).ok().filter(|n| *n < ty.unwrap_or(IntegerType::DEFAULT).bits)
 }
 
-/// An integer made of others, if it is one of its type, as they are.
+/// Returns an integer computed from the operands `of`, or `None` if the result or an operand may
+/// lie outside its type.
 pub fn made(value: i64, ty: Option<IntegerType>, of: &[i64]) -> Option<Value> {
     let sure = |value: &i64| ty.unwrap_or(IntegerType::DEFAULT).holds(*value);
-    // A difference below zero of two that are not may be one of an unsigned type.
+    // A negative difference of two integers that are not negative may have an unsigned type.
     let open = ty.is_none() && value < 0 && of.iter().all(|operand| *operand >= 0);
     (!open && sure(&value) && of.iter().all(sure)).then_some(Value::Integer(value, ty))
 }
 
-/// −k, which rustc has of signed types only.
+/// Returns −k, which exists for signed types only.
 pub fn negated(k: i64, ty: Option<IntegerType>) -> Option<Value> {
     let ty = ty.unwrap_or(IntegerType::DEFAULT);
     k.checked_neg().filter(|value| ty.holds(*value)).map(|value| Value::Integer(value, Some(ty)))
 }
 
-/// `k as name` where bits are cut off.
+/// Returns `k as name` for a type that may cut off bits.
 pub fn cut(k: i64, name: &str) -> Option<Value> {
     let value = match name {
         "u8" => i64::from(k as u8),
@@ -127,7 +129,7 @@ pub fn cut(k: i64, name: &str) -> Option<Value> {
     Some(Value::Integer(value, IntegerType::named(name)))
 }
 
-/// !k, of a type that is known.
+/// Returns !k for a known type.
 pub fn inverted(k: i64, ty: Option<IntegerType>) -> Option<Value> {
     let ty = ty?;
     let value = match (ty.signed, ty.bits) {
@@ -138,7 +140,8 @@ pub fn inverted(k: i64, ty: Option<IntegerType>) -> Option<Value> {
     Some(Value::Integer(value, Some(ty)))
 }
 
-/// The same integer as one of a type; `None` if it is none, or is known to be of another.
+/// Returns the integer with a declared type, or `None` if it does not fit or is known to have
+/// another type.
 pub fn typed(k: i64, known: Option<IntegerType>, ty: IntegerType) -> Option<Value> {
     (common(known, Some(ty)).is_ok() && ty.holds(k)).then_some(Value::Integer(k, Some(ty)))
 }

@@ -1,5 +1,5 @@
-//! Two values by a condition as one: number by number where they are of one kind, else a choice
-//! that what is done with it is done to both of.
+//! Joins two values by a condition: number by number if they are of one kind. Else the result is a
+//! choice, and each later operation applies to both values.
 
 use quote::ToTokens;
 
@@ -8,11 +8,11 @@ use super::value::{Adt, Value};
 use super::{Read, Reader, Unreadable};
 use kin_graph::Node;
 
-/// Of how many values one may be.
+/// The most alternatives of one value.
 const MOST_ALTERNATIVES: usize = 64;
 
 impl Reader {
-    /// The value of two branches, or a mistake where Rust has none.
+    /// Returns the value of two branches, or reports a mistake where Rust has no common type.
     pub fn joined(&mut self, condition: Node, a: &Value, b: &Value, at: &dyn ToTokens) -> Read {
         match self.select(condition, a, b) {
             Some(value) => Ok(value),
@@ -34,7 +34,7 @@ impl Reader {
         }
     }
 
-    /// `a` where the condition holds, else `b`; `None` if Rust has no such value.
+    /// Returns `a` where the condition holds, else `b`; returns `None` if Rust has no such value.
     pub fn select(&mut self, condition: Node, a: &Value, b: &Value) -> Option<Value> {
         match self.same_kind(condition, a, b) {
             Some(value) => Some(value),
@@ -43,7 +43,7 @@ impl Reader {
         }
     }
 
-    /// One of several values, those of one kind joined.
+    /// Returns a choice among several values; it joins those of one kind.
     fn choice(&mut self, condition: Node, a: &Value, b: &Value) -> Option<Value> {
         let otherwise = self.graph.not(condition);
         let mut all: Vec<(Node, Value)> = Vec::new();
@@ -56,7 +56,8 @@ impl Reader {
                 let taken = self.graph.and(side, taken);
                 let mut joined = None;
                 for (k, (known, other)) in all.clone().into_iter().enumerate() {
-                    // First ones first: so a table is searched from its beginning.
+                    // The first alternative comes first, so that emitted code searches a table from
+                    // its beginning.
                     if let Some(one) = self.same_kind(known, &other, &value) {
                         joined = Some((k, self.graph.or(known, taken), one));
                         break;
@@ -75,8 +76,8 @@ impl Reader {
         }
     }
 
-    /// `a` where the condition holds, else `b`, number by number; `None` if they are of different
-    /// kinds.
+    /// Returns `a` where the condition holds, else `b`, number by number; returns `None` if they
+    /// are of different kinds.
     fn same_kind(&mut self, condition: Node, a: &Value, b: &Value) -> Option<Value> {
         Some(match (a, b) {
             (Value::Poison, other) | (other, Value::Poison) => other.clone(),
@@ -131,7 +132,7 @@ impl Reader {
         })
     }
 
-    /// The same of numbers, and of what only rustc knows.
+    /// Joins values made of numbers, and values that only rustc knows.
     fn same_numbers(&mut self, condition: Node, a: &Value, b: &Value) -> Option<Value> {
         Some(match (a, b) {
             (Value::Opaque(a), Value::Opaque(b)) if a.key() == b.key() => Value::Opaque(a.clone()),
@@ -187,7 +188,8 @@ impl Reader {
     }
 }
 
-/// Values that Rust may have beside others of the same type, though they are of another kind here.
+/// Returns true if a value may have the Rust type of another one although the interpreter gives
+/// them different kinds.
 fn differs(value: &Value) -> bool {
     match value {
         Value::Integer(..)
@@ -207,7 +209,7 @@ fn differs(value: &Value) -> bool {
     }
 }
 
-/// Kinds whose mismatch may still be good Rust.
+/// Returns true for kinds whose mismatch may still be good Rust.
 fn open(value: &Value) -> bool {
     match value {
         Value::Into(_) | Value::Generator(_) | Value::Never | Value::Axis(_) => true,

@@ -1,5 +1,5 @@
-//! Loops: each turn is read by itself, as often as is known here. What leaves a turn or the loop is
-//! a way out of a frame.
+//! Loops: the interpreter reads each turn separately, and the number of turns must be known. An
+//! exit from a turn or from the loop is an exit from a frame.
 
 use quote::ToTokens;
 use syn::{Block, Expr, ExprForLoop, ExprLoop, ExprWhile, Label};
@@ -8,7 +8,7 @@ use super::flow::Kind;
 use super::value::Value;
 use super::{MOST_NODES, MOST_TURNS, Read, Reader, Unreadable};
 
-/// So many turns are read of a loop whose end depends on coordinates.
+/// The most turns of a loop whose end depends on coordinates.
 const MOST_OPEN_TURNS: usize = 128;
 
 impl Reader {
@@ -54,13 +54,13 @@ impl Reader {
         )
     }
 
-    /// Leaves the innermost loop, at its own end.
+    /// Leaves the innermost loop at its regular end.
     fn leave_loop(&mut self, at: &dyn ToTokens) -> Read {
         let number = self.frame(|kind| kind == Kind::Loop, None).unwrap_or(0);
         self.leave(number, Value::unit(), at)
     }
 
-    /// Turns until no way leads into another one.
+    /// Reads turns until no path leads into another one.
     fn turns(
         &mut self,
         label: Option<&Label>,
@@ -142,7 +142,7 @@ impl Reader {
         }
     }
 
-    /// `value?`
+    /// Reads `value?`.
     pub fn try_expression(&mut self, tried: &syn::ExprTry) -> Read {
         let value = self.expression(&tried.expr)?;
         self.each(value, &tried.question_token, &mut |reader, value| match value {
@@ -161,7 +161,7 @@ impl Reader {
         })
     }
 
-    /// The values that `for` and iterators go over; `None` after a mistake.
+    /// Returns the values of the sequence of a `for` or an iterator, or `None` after a mistake.
     pub fn elements(&mut self, value: Value, at: &Expr) -> Read<Option<Vec<Value>>> {
         match value {
             Value::Reference(inner) => match *inner {

@@ -1,4 +1,4 @@
-//! Matches of values with patterns: the condition, and the variables that a pattern brings in.
+//! Matches values with patterns: returns the condition and binds the variables of the pattern.
 
 use quote::ToTokens;
 use syn::visit_mut::VisitMut;
@@ -11,7 +11,8 @@ use super::{Read, Reader, Unreadable};
 use kin_graph::{Comparison, Node};
 
 impl Reader {
-    /// The condition under which `value` matches, with its variables bound in the current scope.
+    /// Returns the condition under which `value` matches, and binds its variables in the current
+    /// scope.
     pub fn test(&mut self, pattern: &Pat, value: &Value) -> Read<Node> {
         match (pattern, value) {
             (Pat::Wild(_) | Pat::Rest(_), _) => Ok(self.graph.bool(true)),
@@ -73,8 +74,8 @@ impl Reader {
         }
     }
 
-    /// Of one of several values: that it is one that matches; a variable is that of the one that it
-    /// is.
+    /// Matches a choice: one of the alternatives that match must be the present one. A variable
+    /// takes its value from that alternative.
     fn test_choice(&mut self, pattern: &Pat, all: &[(Node, Value)]) -> Read<Node> {
         let mut found: Vec<(Node, std::collections::BTreeMap<String, usize>)> = Vec::new();
         for (taken, value) in all {
@@ -104,7 +105,7 @@ impl Reader {
         Ok(if always { self.graph.bool(true) } else { any })
     }
 
-    /// Of a value of a struct or a variant: that it is the one of that name, and its parts match.
+    /// Matches a struct or a variant: the name must be equal, and the parts must match.
     fn test_adt(&mut self, pattern: &Pat, adt: &Adt) -> Read<Node> {
         let named =
             |path: &syn::Path| path.segments.last().is_some_and(|last| last.ident == adt.name);
@@ -139,7 +140,7 @@ impl Reader {
         }
     }
 
-    /// Parts in their order, with `..` for any number of them.
+    /// Matches parts in order, with `..` for any number of them.
     fn test_parts<'a>(
         &mut self,
         parts: impl Iterator<Item = &'a Pat>,
@@ -177,7 +178,8 @@ impl Reader {
         })
     }
 
-    /// rustc matches values of types that only it knows, and takes them apart where they match.
+    /// Leaves the match of a value that only rustc knows to emitted code, which takes its parts
+    /// where it matches.
     fn test_opaque(&mut self, pattern: &Pat, template: &Template) -> Read<Node> {
         if let Pat::Lit(syn::PatLit { lit: Lit::Bool(wanted), .. }) = pattern
             && !template.nodes().is_empty()
@@ -215,7 +217,7 @@ impl Reader {
         Ok(self.condition(Value::Opaque(matches), pattern))
     }
 
-    /// The type in a parameter that is an `Option`, where the pattern is `Some(x)`.
+    /// Returns the type inside a parameter that is an `Option`, if the pattern is `Some(x)`.
     fn held_type(&self, template: &Template, pattern: &Pat) -> Option<syn::Type> {
         let name = match template {
             Template::Parameter(name) => name,
@@ -244,7 +246,7 @@ impl Reader {
         }
     }
 
-    /// A constant of the body's own.
+    /// Matches a constant that the body declares.
     fn test_constant(&mut self, pattern: &Pat, value: &Value) -> Read<Node> {
         let name = pattern.to_token_stream().to_string();
         match (self.named(&name), value) {

@@ -1,6 +1,7 @@
 //! Second stage: reads the body by abstract interpretation over typed values. Each expression
-//! becomes a `Value` over the scalar graph; what cannot be read is [`Unreadable`] and sends the
-//! whole constraint to the dual route; a mistake is collected and reading goes on.
+//! becomes a `Value` over the scalar graph. An expression that the interpreter cannot read is
+//! [`Unreadable`] and sends the whole constraint to the dual route. The interpreter collects a
+//! mistake and continues.
 
 pub mod alone;
 mod apply;
@@ -52,28 +53,34 @@ use scope::{Scopes, Slot, Store};
 use template::Template;
 use value::Value;
 
-/// The body as a graph, with everything emitted code needs to know about its inputs.
+/// The body as a graph, with the data that emitted code needs about the inputs of the graph.
 pub struct Lowered {
     pub graph: Graph,
     pub rows: Vec<Row>,
-    /// How emitted code reads each numeric parameter.
+    /// The expressions by which emitted code reads each numeric parameter, indexed by the number of
+    /// the parameter.
     pub parameters: Vec<TokenStream>,
+    /// Values that only rustc can compute and that depend on no coordinate, indexed by the number
+    /// in the graph.
     pub opaques: Vec<OpaqueValue>,
+    /// The laws in the rows, indexed by the number in [`Op::Law`].
     pub laws: Vec<Template>,
+    /// Values that only rustc can compute and that carry derivatives, indexed by the number in the
+    /// graph.
     pub leaves: Vec<OpaqueValue>,
-    /// The expressions that the nodes are of.
+    /// The expressions to which the nodes belong.
     pub expressions: Expressions,
     /// Points and directions that do not move in their bodies.
     pub attachments: Vec<Attachment>,
-    /// Items of the body that emitted code repeats: imports, types, constants whose value is not
-    /// known here.
+    /// Items of the body that emitted code repeats: imports, types, and constants whose value is
+    /// unknown here.
     pub items: Vec<syn::Item>,
-    /// The same read once more without rounding constants, where that makes a difference.
+    /// The result of a second reading without rounded constants, if the equation then differs.
     pub as_written: Option<Box<Lowered>>,
 }
 
 impl Lowered {
-    /// Each law that the rows ask, and where.
+    /// Returns each law in the rows, with the node of its argument.
     pub fn laws_asked(&self) -> Vec<(usize, Node)> {
         let rows: Vec<Node> = self.rows.iter().map(|row| row.node).collect();
         let mut asked: Vec<(usize, Node)> = Vec::new();
@@ -91,32 +98,32 @@ impl Lowered {
 /// A local point or direction of a body that depends on no coordinate and not on time.
 #[derive(Clone, PartialEq)]
 pub struct Attachment {
-    /// The body, by its slot.
+    /// The slot of the body.
     pub slot: usize,
     pub is_point: bool,
     pub local: Vec<Node>,
 }
 
-/// A value that only rustc can compute, with the shape its place asks for.
+/// A value that only rustc can compute, with the shape that its place needs.
 pub struct OpaqueValue {
     pub template: Template,
     pub kind: OpaqueKind,
 }
 
-/// The kind that an opaque value is taken for.
+/// The kind that the interpreter assumes for an opaque value.
 #[derive(Clone, PartialEq, Debug)]
 pub enum OpaqueKind {
     Numbers(Shape),
     Condition,
 }
 
-/// Why the body has no graph.
+/// The reason why the body has no graph.
 pub enum Failure {
     Mistakes(syn::Error),
     Unreadable(Unreadable),
 }
 
-/// An expression that is good Rust, perhaps, but not for this interpreter.
+/// An expression that may be good Rust, but that the interpreter cannot read.
 pub struct Unreadable {
     pub span: Span,
     pub what: String,
@@ -128,24 +135,24 @@ impl Unreadable {
     }
 }
 
-/// Where an expression begins.
+/// Returns the span at which an expression begins.
 fn first_span(at: &dyn ToTokens) -> Span {
     at.to_token_stream().into_iter().next().map_or_else(Span::call_site, |token| token.span())
 }
 
-/// Either a value or the end of reading.
+/// A value, or the end of the reading.
 type Read<T = Value> = Result<T, Unreadable>;
 
-/// Beyond this many nodes straight-line code is no longer a good idea: rustc needs seconds and a
-/// deep stack for it.
+/// The most nodes of a graph. With more, rustc needs seconds and a deep stack for the straight-line
+/// code.
 const MOST_NODES: usize = 4_000;
-/// Loops are unrolled up to this many turns.
+/// The most turns of a loop that the interpreter unrolls.
 const MOST_TURNS: i64 = 4_096;
-/// Functions of the body's own call each other this deep.
+/// The greatest depth of calls among the functions of the body.
 const MOST_CALLS: usize = 48;
-/// Expressions are read this often, counting each turn of a loop.
+/// The most expressions that the interpreter reads, counting each turn of a loop.
 const MOST_EXPRESSIONS: usize = 1_000_000;
-/// Of how many parts an expression may be that only rustc understands.
+/// The most parts of an expression that only rustc understands.
 const MOST_PARTS: usize = 250;
 
 /// Reads the body of `source`.
@@ -160,8 +167,8 @@ pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
     })
 }
 
-/// Reads an expression over the arguments of `source`, a number: the value of an attribute. The
-/// items at the beginning of the body are in sight.
+/// Reads the value of an attribute: an expression for a number over the arguments of `source`. The
+/// items at the beginning of the body are in scope.
 pub fn value(source: &ConstraintFn, expression: &syn::Expr) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
@@ -179,7 +186,7 @@ pub fn value(source: &ConstraintFn, expression: &syn::Expr) -> Result<Lowered, F
     })
 }
 
-/// Reads the body of a law: a function of the first argument, a number.
+/// Reads the body of a law: a function of its first argument, which is a number.
 pub fn law(
     variable: &Ident,
     parameters: &[Argument],
@@ -199,8 +206,8 @@ pub fn law(
     })
 }
 
-/// Reads with constants folded as f64 does, for kernels, and once more with those as they are
-/// written, if that is another equation.
+/// Reads with constants folded as f64 does, for kernels. If that rounds a constant, the function
+/// reads a second time and keeps the constants as the user wrote them.
 fn with_constants(read: &dyn Fn(Graph) -> Result<Lowered, Failure>) -> Result<Lowered, Failure> {
     let mut lowered = read(Graph::default())?;
     if lowered.graph.is_rounded() {
@@ -214,7 +221,7 @@ struct Reader {
     graph: Graph,
     scopes: Scopes,
     store: Store,
-    /// The frames that are being read and can be left, outermost first.
+    /// The frames around the present position, outermost first.
     frames: Vec<Frame>,
     mistakes: Mistakes,
     parameters: Vec<TokenStream>,
@@ -225,28 +232,28 @@ struct Reader {
     leaves: Vec<OpaqueValue>,
     leaf_index: HashMap<String, usize>,
     expressions: Expressions,
-    /// Rotation matrices, each with the Euler parameters that it is made of.
+    /// Rotation matrices by their entries, each with its Euler parameters.
     rotations: HashMap<Vec<Node>, Vec<Node>>,
     attachments: Vec<Attachment>,
     repeated_items: Vec<syn::Item>,
-    /// Types that the body declares.
+    /// The types that the body declares.
     own: own::Own,
-    /// Of a text, variables without `mut`, by their slots.
+    /// In a text, the variables without `mut`, by their slots. Empty for a program.
     fixed: HashMap<Slot, String>,
     second_reader: SecondReader,
     /// The lengths that the attribute gives to constants.
     lengths: Vec<(Ident, syn::LitInt)>,
-    /// Types of parameters that only rustc knows.
+    /// The types of the parameters that only rustc knows, by name.
     parameter_types: HashMap<String, syn::Type>,
-    /// Parameters that are integers or conditions, with their types.
+    /// The types of the parameters that are integers or conditions, by name.
     no_numbers: HashMap<String, String>,
-    /// The facts that are known where something is read: conditions of the branches around it.
+    /// The conditions that hold at the present position, from the branches and frames around it.
     path: Vec<Guard>,
-    /// The type that the function itself returns.
+    /// The declared type of the function's value.
     output: Option<syn::Type>,
-    /// Number of the scope of the function's own block.
+    /// The number of the scope of the function's block.
     body_depth: usize,
-    /// How deep in calls of the body's own functions.
+    /// The present depth of calls among the functions of the body.
     calls: usize,
     expressions_read: usize,
 }
@@ -286,7 +293,7 @@ impl Reader {
         }
     }
 
-    /// The value of the function's body.
+    /// Returns the value of the function's body.
     fn function_body(&mut self, body: &syn::Block, output: &syn::Type) -> Read {
         self.body_depth = self.scopes.depth() + 1;
         self.output = Some(output.clone());
@@ -298,12 +305,12 @@ impl Reader {
         }
     }
 
-    /// All that was read. A mistake is worth more than the remark that something else cannot be
-    /// read.
+    /// Returns the result of the reading. If there is a mistake, the function reports it rather
+    /// than an unreadable expression.
     fn finish(mut self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
         self.mistakes.finish().map_err(Failure::Mistakes)?;
         if self.opaques.is_empty() && self.leaves.is_empty() && self.laws.is_empty() {
-            // Nothing that is left to rustc can speak of them.
+            // Only the code for opaque values, leaves and laws can use these items.
             self.repeated_items.clear();
         }
         Ok(Lowered {
@@ -320,14 +327,14 @@ impl Reader {
         })
     }
 
-    /// Notes a mistake at `tokens`; reading goes on without its value.
+    /// Adds a mistake at `tokens`; the reading continues with a substitute value.
     fn mistake(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) -> Value {
         self.mistakes.add(tokens, message);
         Value::Poison
     }
 }
 
-/// "`vec2` takes 2 numbers, not 1"
+/// Returns a message such as "`vec2` takes 2 numbers, not 1".
 fn counted(what: &str, takes: usize, of: &str, given: usize) -> String {
     format!("{what} takes {takes} {of}{}, not {given}", if takes == 1 { "" } else { "s" })
 }

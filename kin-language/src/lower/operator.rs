@@ -1,4 +1,4 @@
-//! Operators, over every pair of kinds for which Rust has them.
+//! Operators, for every pair of kinds for which Rust has them.
 
 mod compared;
 
@@ -23,7 +23,7 @@ impl Reader {
         self.each(value, inner, &mut |reader, value| reader.unary_of(op, value, inner))
     }
 
-    /// `*value`: what a reference refers to, which may be a reference itself.
+    /// Reads `*value`: the value behind a reference, which may be a reference again.
     fn dereferenced(&mut self, inner: &Expr) -> Read {
         Ok(match self.raw_expression(inner)? {
             Value::Reference(inner) => *inner,
@@ -62,7 +62,7 @@ impl Reader {
         })
     }
 
-    /// −value, of a number or of components.
+    /// Returns −value of a number or of components.
     pub fn negated(&mut self, value: Value) -> Value {
         match (value.components(), &value) {
             (Some((kind, nodes)), _) => {
@@ -95,8 +95,8 @@ impl Reader {
         self.operate_each(binary.op, left, right, binary)
     }
 
-    /// The value that a compound assignment changes: of the body's own types the one that
-    /// `index_mut` gives, which need not be that of `index`.
+    /// Returns the value that a compound assignment changes. For a type of the body it is the value
+    /// from `index_mut`, which may differ from that of `index`.
     fn assigned_to(&mut self, left: &Expr) -> Read {
         if let Expr::Index(index) = left
             && let Some(base) = self.looked_into(&index.expr)?
@@ -109,7 +109,7 @@ impl Reader {
         self.expression(left)
     }
 
-    /// `left op right`, of whatever the sides may be.
+    /// Computes `left op right` for each combination of possible values.
     fn operate_each(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
         self.each_list(vec![left, right], at, &mut |reader, mut sides| match (
             sides.pop(),
@@ -120,7 +120,8 @@ impl Reader {
         })
     }
 
-    /// The right side of `&&` and `||`, which is not computed where the left side decides.
+    /// Reads the right side of `&&` and `||`, which emitted code does not compute where the left
+    /// side decides.
     fn second_condition(&mut self, op: &BinOp, left: &Value, binary: &ExprBinary) -> Read {
         if !matches!(left, Value::Condition(_) | Value::Opaque(_)) {
             return self.expression(&binary.right);
@@ -141,7 +142,7 @@ impl Reader {
         Ok(right)
     }
 
-    /// `left op right`.
+    /// Computes `left op right`.
     fn operate(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
         let number = |value: &Value| matches!(value, Value::Scalar(_) | Value::Vector(_));
         Ok(match (left, right) {
@@ -167,7 +168,7 @@ impl Reader {
         })
     }
 
-    /// `left op right` for an operator that is known to apply.
+    /// Computes `left op right` for an operator that exists for both kinds.
     pub fn combined(&mut self, op: BinOp, left: &Value, right: &Value, at: &dyn ToTokens) -> Value {
         if matches!(left, Value::Poison) || matches!(right, Value::Poison) {
             return Value::Poison;
@@ -185,7 +186,8 @@ impl Reader {
         })
     }
 
-    /// `left op right` of numbers, vectors and matrices; `None` where Rust has no such operator.
+    /// Computes `left op right` for numbers, vectors and matrices; returns `None` if Rust has no
+    /// such operator.
     fn arithmetic(&mut self, op: BinOp, left: &Value, right: &Value) -> Option<Value> {
         Some(match (op, left, right) {
             (op, Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(self.scalars(op, *a, *b)?),
@@ -247,8 +249,8 @@ impl Reader {
         (0..n * n).map(|k| self.dot(&a[k / n * n..][..n], &columns[k % n * n..][..n])).collect()
     }
 
-    /// Between values that only rustc knows: their place decides what they are, but a comparison
-    /// takes numbers.
+    /// Combines values that only rustc knows. Their place decides their type, but the operands of a
+    /// comparison are numbers.
     fn operate_opaque(&mut self, op: BinOp, a: Template, b: Template, at: &ExprBinary) -> Read {
         let open = a.has_choice() || b.has_choice();
         let known = [&a, &b].iter().any(|template| self.varies(template));
@@ -270,7 +272,7 @@ impl Reader {
         }
     }
 
-    /// An opaque value beside a known one, on its left unless it is `swapped`.
+    /// Combines an opaque value with a known one; the opaque value is on the left unless `swapped`.
     fn operate_beside(
         &mut self,
         op: BinOp,
@@ -296,8 +298,8 @@ impl Reader {
             _ => Some(Shape::Scalar),
         };
         let Some(shape) = shape else {
-            // A factor may belong to a number or to a vector, and an integer to whatever integer it
-            // is.
+            // A factor may apply to a number or to a vector, and an integer may have any integer
+            // type.
             let known = self.template(known, other_place)?;
             let (left, right) = if swapped { (known, opaque) } else { (opaque, known) };
             return Ok(Value::Opaque(Template::Binary(Box::new(left), op, Box::new(right))));
@@ -317,7 +319,7 @@ impl Reader {
         if let Some(comparison) = comparison(&op) {
             return Ok(Value::Condition(self.graph.bool(comparison.holds(&a.0, &b.0))));
         }
-        // An operation that may overflow is left to rustc, at the token where it may.
+        // Rustc computes an operation that may overflow, and reports it at this token.
         integer::operate(&op, a, b)
             .ok_or_else(|| Unreadable::new(&at.op, "integer arithmetic that may overflow"))
     }
@@ -364,7 +366,7 @@ impl Reader {
         Value::Poison
     }
 
-    /// The quaternion product p q.
+    /// Returns the quaternion product p q.
     pub fn euler_product(&mut self, p: &[Node], q: &[Node]) -> Vec<Node> {
         const TERMS: [[(usize, bool); 4]; 4] = [
             [(0, true), (1, false), (2, false), (3, false)],
@@ -402,7 +404,7 @@ fn comparison(op: &BinOp) -> Option<Comparison> {
     })
 }
 
-/// The operator of a compound assignment.
+/// Returns the operator of a compound assignment.
 fn simple(op: &BinOp) -> Option<BinOp> {
     let span = op.span();
     Some(match op {

@@ -1,5 +1,6 @@
-//! Structs and enums: values with named parts. Of those declared inside of the body the methods are
-//! read too; of others only what was put into them is known, and anything else is asked of rustc.
+//! Structs and enums: values with named parts. The interpreter reads the methods of a type that the
+//! body declares. For any other type it knows only the fields of a literal, and rustc computes the
+//! rest.
 
 mod declared;
 mod operators;
@@ -15,7 +16,7 @@ use super::{Read, Reader, Unreadable};
 use crate::vocabulary::is_integer;
 
 impl Reader {
-    /// `Vec2 { x: …, y: … }`, `Link { length, ..other }`
+    /// Reads `Vec2 { x: …, y: … }`, `Link { length, ..other }`.
     pub fn struct_literal(&mut self, literal: &ExprStruct) -> Read {
         let name = literal.path.segments.last().map(|s| s.ident.to_string()).unwrap_or_default();
         let kind = match name.as_str() {
@@ -90,7 +91,7 @@ impl Reader {
         Ok(mistaken.unwrap_or(Value::Adt(adt)))
     }
 
-    /// A field of a struct that is declared as a number and given an integer.
+    /// Reports an integer in a field of a struct that is declared as a number.
     fn integer_field(&mut self, literal: &ExprStruct, adt: &Adt) -> Option<Value> {
         let wanted = &self.own.declared(&adt.type_name())?.fields;
         let integer = |field: &syn::FieldValue| {
@@ -106,7 +107,8 @@ impl Reader {
         Some(self.mistake(place, crate::error::integer_for_a_number(place, k)))
     }
 
-    /// A field that a type of the body's own has not, or that is given twice, or left out.
+    /// Reports a field that a type of the body does not have, that occurs twice, or that is
+    /// missing.
     fn mistaken_field(&mut self, literal: &ExprStruct, adt: &Adt) -> Option<Value> {
         let wanted = self.own.declared(&adt.type_name())?.fields_of(&adt.name);
         let given: Vec<String> =
@@ -135,7 +137,7 @@ impl Reader {
         Some(self.mistake(place, text))
     }
 
-    /// `Slider(x)` with as many values as the body's own type has.
+    /// Reads `Slider(x)` with as many values as the type of the body has.
     pub fn own_tuple(
         &mut self,
         path: &syn::Path,
@@ -155,7 +157,7 @@ impl Reader {
         }
     }
 
-    /// A call of a method that the body's own type has; `None` if it has no such method.
+    /// Calls a method of a type of the body; returns `None` if the type has no such method.
     pub fn own_method(
         &mut self,
         ty: &str,
@@ -183,7 +185,7 @@ impl Reader {
         value
     }
 
-    /// `Link::LENGTH`, `<M8 as Thread>::PITCH`: a constant of a type of the body's own.
+    /// Reads a constant of a type of the body: `Link::LENGTH`, `<M8 as Thread>::PITCH`.
     pub fn own_constant(&mut self, path: &syn::ExprPath) -> Read<Option<Value>> {
         match self.own.by_path(path, &[]) {
             Some((item, depth))
@@ -195,7 +197,7 @@ impl Reader {
         }
     }
 
-    /// The value of `#[derive(Default)]`, or of `default` of the type's own.
+    /// Returns the value of `#[derive(Default)]`, or of the function `default` of the type.
     pub fn default_of(&mut self, ty: &Type, at: &dyn ToTokens) -> Read {
         let unknown = || Unreadable::new(at, "the default of this type");
         let name = ty.to_token_stream().to_string();
@@ -246,14 +248,14 @@ impl Reader {
         Ok(Value::Adt(Adt { path: ident.into(), name: name.into(), fields, braces }))
     }
 
-    /// The integer that a variant without fields is.
+    /// Returns the integer of a variant without fields.
     pub fn discriminant(&self, adt: &Adt) -> Option<i64> {
         let variants = &self.own.declared(&adt.type_name())?.variants;
         variants.iter().find(|variant| variant.name == adt.name)?.integer
     }
 }
 
-/// `Default::default()`
+/// Returns true for `Default::default()`.
 fn is_default(expression: &syn::Expr) -> bool {
     matches!(expression, syn::Expr::Call(call) if call.args.is_empty()
         && matches!(&*call.func, syn::Expr::Path(path) if crate::vocabulary::names(path) == ["Default", "default"]))

@@ -8,7 +8,7 @@ use super::value::Value;
 use super::{Read, Reader, Unreadable};
 
 impl Reader {
-    /// True if a value is one of the type that a path of a method begins with.
+    /// Returns true if a value has the type with which the path of a method begins.
     pub fn is_receiver(&self, ty: &str, value: &Value) -> bool {
         let value = self.loaded(value.clone());
         match ty {
@@ -23,7 +23,7 @@ impl Reader {
         }
     }
 
-    /// `Planar::point(&i, u)` as `i.point(u)`.
+    /// Reads `Planar::point(&i, u)` as `i.point(u)`.
     pub fn method_by_path(
         &mut self,
         path: &ExprPath,
@@ -42,7 +42,7 @@ impl Reader {
         self.method_with(&whole, arguments)
     }
 
-    /// `std::mem::swap(&mut a, &mut b)` and its like.
+    /// Reads `std::mem::swap(&mut a, &mut b)`, and `replace` and `take` of the same module.
     pub fn exchange(&mut self, name: &str, arguments: Vec<Value>, call: &Call) -> Read {
         let unreadable = || Unreadable::new(call.path, "an exchange of what is not known here");
         let (Some(Value::Place(a)), second) = (arguments.first(), arguments.get(1)) else {

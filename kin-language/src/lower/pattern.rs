@@ -1,4 +1,4 @@
-//! Patterns: binding variables in `let`, `for` and closures, and testing in `match`.
+//! Patterns: bind variables in `let`, `for` and closures, and test values in `match`.
 
 use syn::Pat;
 use syn::visit::Visit;
@@ -58,8 +58,8 @@ impl Reader {
         }
     }
 
-    /// A value whose parts are looked at: of `&mut` of something put together, references to its
-    /// parts.
+    /// Returns a value whose parts a pattern can bind. For `&mut` of a composite value these parts
+    /// are references to its parts.
     pub fn outer(&mut self, value: Value) -> Value {
         let Value::Place(place) = &value else { return value.referent() };
         match self.at_place(place) {
@@ -142,7 +142,7 @@ impl Reader {
         parts[rest + 1..].iter().zip(after).try_for_each(|(part, value)| self.bind(part, value))
     }
 
-    /// The variables of a pattern after a mistake.
+    /// Binds the variables of a pattern after a mistake.
     fn bind_nothing(&mut self, pattern: &Pat) -> Read<()> {
         match rest_of(pattern) {
             Some(_) => Ok(()),
@@ -150,7 +150,7 @@ impl Reader {
         }
     }
 
-    /// `let Vec2 { x, y } = v`
+    /// Binds `let Vec2 { x, y } = v`.
     pub fn bind_fields(&mut self, pattern: &syn::PatStruct, value: Value) -> Read<()> {
         for field in &pattern.fields {
             let part = self.field(value.clone(), &field.member)?;
@@ -160,7 +160,7 @@ impl Reader {
     }
 }
 
-/// `..` or `name @ ..`: the name, if there is one.
+/// Returns the name, if there is one, of `..` or `name @ ..`; returns `None` for any other pattern.
 pub fn rest_of(pattern: &Pat) -> Option<Option<String>> {
     match pattern {
         Pat::Rest(_) => Some(None),
@@ -173,17 +173,17 @@ pub fn rest_of(pattern: &Pat) -> Option<Option<String>> {
     }
 }
 
-/// Names in capitals are constants, not new variables.
+/// Returns true for a name in capitals, which is a constant and no new variable.
 pub fn is_constant(name: &syn::Ident) -> bool {
     name.to_string().chars().next().is_some_and(char::is_uppercase)
 }
 
-/// True if a pattern brings in a variable.
+/// Returns true if a pattern binds a variable.
 pub fn binds(pattern: &Pat) -> bool {
     !names(pattern).is_empty()
 }
 
-/// The variables that a pattern brings in, in order.
+/// Returns the variables that a pattern binds, in order.
 pub fn names(pattern: &Pat) -> Vec<String> {
     struct Names(Vec<String>);
     impl Visit<'_> for Names {
@@ -199,7 +199,7 @@ pub fn names(pattern: &Pat) -> Vec<String> {
     names.0
 }
 
-/// Puts `_` in the place of variables.
+/// The visitor that replaces variables by `_`.
 pub struct Blank;
 
 impl VisitMut for Blank {
@@ -221,7 +221,7 @@ impl VisitMut for Blank {
     }
 }
 
-/// True if a pattern without variables matches whatever there is: of a tuple, where all of its
+/// Returns true if a pattern without variables matches every value. A tuple does so if all its
 /// parts do.
 pub fn is_open(pattern: &Pat) -> bool {
     match pattern {

@@ -1,5 +1,4 @@
-//! Where the numbers of an equation come from: of each node the innermost expression that was being
-//! read when it was made.
+//! The source of each number of an equation: for each node, the innermost expression that made it.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -10,7 +9,7 @@ use quote::ToTokens;
 use super::template::Template;
 use kin_graph::Node;
 
-/// An expression as the user wrote it, and where: line and column counted from 1.
+/// An expression as the user wrote it, with its line and column, counted from 1.
 #[derive(Clone, PartialEq, Eq, Hash)]
 pub struct Expression {
     pub text: String,
@@ -18,20 +17,20 @@ pub struct Expression {
     pub column: usize,
 }
 
-/// All expressions that are known, each once, and what belongs to them.
+/// All known expressions, each once, with the nodes and templates that belong to them.
 #[derive(Default)]
 pub struct Expressions {
     pub all: Vec<Expression>,
     index: HashMap<Expression, usize>,
-    /// By the node's number.
+    /// The number of the expression, indexed by the node; `None` for a node without an expression.
     nodes: Vec<Option<usize>>,
-    /// By the template's key: an expression that only rustc understands becomes numbers later than
-    /// it is read.
+    /// The number of the expression by the key of its template: an expression that only rustc
+    /// understands becomes numbers later than the interpreter reads it.
     templates: HashMap<String, usize>,
 }
 
 impl Expressions {
-    /// The number of an expression.
+    /// Returns the number of an expression, and adds the expression if it is new.
     pub fn number(&mut self, tokens: &dyn ToTokens) -> usize {
         let expression = Expression::new(tokens);
         *self.index.entry(expression.clone()).or_insert_with(|| {
@@ -40,8 +39,8 @@ impl Expressions {
         })
     }
 
-    /// An expression has been read: nodes made by it that are of no expression inside of it are its
-    /// own.
+    /// Ends an expression: those of the nodes `made` that belong to no inner expression belong to
+    /// this one.
     pub fn ended(&mut self, tokens: &dyn ToTokens, made: Range<usize>) {
         if made.clone().any(|node| self.nodes.get(node).copied().flatten().is_none()) {
             let number = self.number(tokens);
@@ -49,18 +48,18 @@ impl Expressions {
         }
     }
 
-    /// Nodes that are of no expression yet belong to one from now on.
+    /// Assigns the nodes that belong to no expression yet to one.
     pub fn give(&mut self, made: Range<usize>, expression: usize) {
         self.nodes.resize(self.nodes.len().max(made.end), None);
         self.nodes[made].iter_mut().for_each(|node| *node = node.or(Some(expression)));
     }
 
-    /// The expression that a node is of.
+    /// Returns the expression to which a node belongs.
     pub fn of(&self, node: Node) -> Option<usize> {
         self.nodes.get(node.index()).copied().flatten()
     }
 
-    /// An expression that only rustc understands has been read.
+    /// Records the expression of a template.
     pub fn note(&mut self, template: &Template, tokens: &dyn ToTokens) {
         let key = template.key();
         if !self.templates.contains_key(&key) {
@@ -69,7 +68,7 @@ impl Expressions {
         }
     }
 
-    /// The expression that became a template.
+    /// Returns the expression that became a template.
     pub fn of_template(&self, template: &Template) -> Option<usize> {
         self.templates.get(&template.key()).copied()
     }
@@ -86,8 +85,8 @@ impl Expression {
     }
 }
 
-/// The text of tokens: on one line, without comments, with blanks where the user has them (as far
-/// as places are known), and no longer than a line.
+/// Returns the text of tokens on one line, without comments and at most one line long. Blanks are
+/// those of the user, as far as the spans are known.
 fn as_written(tokens: TokenStream) -> String {
     const LONGEST: usize = 100;
     let known = tokens
@@ -108,7 +107,7 @@ fn as_written(tokens: TokenStream) -> String {
     }
 }
 
-/// A text, and where its last token ends in the file.
+/// A text, and the position in the file at which its last token ends.
 #[derive(Default)]
 struct Text {
     written: String,
@@ -126,7 +125,7 @@ impl Text {
                         Delimiter::Brace => ("{", "}"),
                         Delimiter::None => ("", ""),
                     };
-                    // Of a group that has been parsed only the span of the whole is left.
+                    // A parsed group has kept only the span of the whole.
                     let start = group.span().start();
                     let end = group.span().end();
                     self.token(open, start, LineColumn { column: start.column + 1, ..start });

@@ -1,11 +1,11 @@
-//! The rotation matrix of Euler parameters, and the best form of its products with vectors.
+//! The rotation matrix of Euler parameters, and the cheapest form of its products with vectors.
 
 use super::Reader;
 use super::state::transpose;
 use kin_graph::{Graph, Node};
 
 impl Reader {
-    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, row by row.
+    /// Returns A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, row by row.
     pub fn rotation_of(&mut self, p: &[Node]) -> Vec<Node> {
         let one = self.graph.constant(1.0);
         let two = self.graph.constant(2.0);
@@ -27,14 +27,16 @@ impl Reader {
         a
     }
 
-    /// The Euler parameters whose rotation matrix this is, and whether it is transposed.
+    /// Returns the Euler parameters of a rotation matrix, and true if the matrix is transposed;
+    /// returns `None` for any other matrix.
     pub fn known_rotation(&self, m: &[Node]) -> Option<(Vec<Node>, bool)> {
         let find = |m: &[Node], back| self.rotations.get(m).map(|p| (p.clone(), back));
         find(m, false).or_else(|| find(&transpose(m), true))
     }
 
-    /// A v, or Aᵀ v, as 2 (e0 w + r e) − v with w = e0 v ± e × v and r = e · v: fewer products than
-    /// nine entries of A take, and w and r are most of the derivatives by p.
+    /// Returns A v, or Aᵀ v if `back`, as 2 (e0 w + r e) − v with w = e0 v ± e × v and r = e · v.
+    /// This form needs fewer products than the nine entries of A, and w and r are most of the
+    /// derivatives with respect to p.
     pub fn turned(&mut self, p: &[Node], back: bool, v: &[Node]) -> Vec<Node> {
         let e0 = p[0];
         let e = &p[1..];

@@ -15,8 +15,8 @@ pub struct Row {
 }
 
 impl Reader {
-    /// The rows of the constraint; mistakes where the value is not what the signature says, or
-    /// depends on no coordinate.
+    /// Returns the rows of the constraint. A value that differs from the signature or depends on no
+    /// coordinate is a mistake.
     pub fn rows(&mut self, source: &ConstraintFn, value: &Value) -> Vec<Row> {
         let tail = tail(&source.body);
         let at: &dyn ToTokens = match tail {
@@ -50,8 +50,7 @@ impl Reader {
         rows
     }
 
-    /// The numbers of each element of the returned tuple or array (of the one value, if it is
-    /// neither).
+    /// Returns the numbers of each element of the returned tuple or array, or of a single value.
     fn parts(
         &mut self,
         source: &ConstraintFn,
@@ -83,7 +82,7 @@ impl Reader {
         Some(parts)
     }
 
-    /// An equation that depends on no coordinate can never be solved for one.
+    /// Refuses an equation that depends on no coordinate, since it cannot determine one.
     fn refuse_constants(
         &mut self,
         source: &ConstraintFn,
@@ -91,7 +90,7 @@ impl Reader {
         tail: Option<&Expr>,
         rows: &[Row],
     ) {
-        // A force may be one by time alone.
+        // A force may depend on time alone.
         if !self.mistakes.is_empty() || source.role == Role::Force {
             return;
         }
@@ -124,7 +123,7 @@ impl Reader {
     }
 }
 
-/// A parameter of an unknown type may be an alias of a coordinate.
+/// Returns a cure for a parameter of an unknown type that may be an alias of a coordinate.
 fn alias_cure(source: &ConstraintFn) -> String {
     let other = source.arguments.iter().find(|a| a.kind == crate::parse::Kind::Other);
     other.map_or(String::new(), |a| {
@@ -136,7 +135,7 @@ fn alias_cure(source: &ConstraintFn) -> String {
     })
 }
 
-/// The expression whose value the function returns.
+/// Returns the expression whose value the function returns.
 fn tail(body: &Block) -> Option<&Expr> {
     match body.stmts.last()? {
         Stmt::Expr(Expr::Return(last), _) => last.expr.as_deref(),
@@ -146,7 +145,8 @@ fn tail(body: &Block) -> Option<&Expr> {
     }
 }
 
-/// The expressions of the elements, where the tail is a literal tuple or array of `n`.
+/// Returns the expressions of the elements, if the last expression is a literal tuple or array of
+/// `n`.
 fn elements(tail: Option<&Expr>, n: usize) -> Vec<Option<&Expr>> {
     let all: Vec<&Expr> = match tail {
         Some(Expr::Tuple(tuple)) => tuple.elems.iter().collect(),
@@ -156,7 +156,8 @@ fn elements(tail: Option<&Expr>, n: usize) -> Vec<Option<&Expr>> {
     if all.len() == n { all.into_iter().map(Some).collect() } else { vec![None; n] }
 }
 
-/// Names of the rows where only the signature and the last expression are known: on the dual route.
+/// Returns the names of the rows on the dual route, which knows only the signature and the last
+/// expression.
 pub fn names_as_written(source: &ConstraintFn) -> Vec<String> {
     let any = |shape: &Shape| if *shape == Shape::Any { 1 } else { shape.count() };
     let shapes: Vec<(usize, &Shape)> = match &source.output {

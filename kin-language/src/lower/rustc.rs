@@ -1,5 +1,5 @@
-//! The mistakes that rustc tells of a program by itself, told of texts, which it does not read: at
-//! the token at which it would.
+//! Mistakes that rustc reports in a program. For a text, which rustc does not read, the interpreter
+//! reports them at the same token.
 
 use quote::ToTokens;
 use syn::punctuated::Punctuated;
@@ -12,22 +12,23 @@ use super::value::{Adt, Value};
 use super::{Read, Reader};
 use crate::parse::SecondReader;
 
-/// Of a variable that is read behind branches some of which give it no value.
+/// The message for a variable that only some branches give a value before it is read.
 pub const PERHAPS: &str = "this variable has a value in some branches only: give it one in every branch, or where it is declared";
 
-/// Of `f64::from(k)` of a wide integer.
+/// The message for `f64::from(k)` of a wide integer.
 pub const WIDE: &str =
     "a number is made of an `i32` or a `u32` so: of a wider integer `k` it is `k as f64`";
 
 const GOES_ON: &str = "behind `else` there is no value to go on with: leave by `return`, `break`, `continue` or `panic!`";
 
 impl Reader {
-    /// Notes a mistake of a text; `None` of a program, which rustc reads.
+    /// Reports a mistake in a text. For a program the function returns `None`, because rustc
+    /// reports the mistake.
     pub fn told_by_rustc(&mut self, at: &dyn ToTokens, message: &str) -> Option<Value> {
         (self.second_reader == SecondReader::Nobody).then(|| self.mistake(at, message))
     }
 
-    /// A new variable of a pattern.
+    /// Declares a variable of a pattern.
     pub fn declare_bound(&mut self, name: &Ident, mutable: bool, value: Value) {
         let slot = self.store.declare(value);
         if !mutable && self.second_reader == SecondReader::Nobody {
@@ -36,11 +37,10 @@ impl Reader {
         self.scopes.declare(name.to_string(), slot);
     }
 
-    /// Something changes the place that an expression is: its variable must be `mut`, or have no
-    /// value yet.
+    /// Reports a change of a variable that is not `mut`, unless the change is its first assignment.
     pub fn change(&mut self, expression: &Expr, place: &Place) {
         let Some(name) = self.fixed.get(&place.slot) else { return };
-        // A place behind a reference is another variable's.
+        // A place behind a reference belongs to another variable.
         let is_own = root(expression).is_some_and(
             |root| matches!(self.scopes.get(&root), Some(Name::Variable(slot)) if slot == place.slot),
         );
@@ -52,7 +52,7 @@ impl Reader {
         }
     }
 
-    /// The value of a variable that only one of two branches has given a value.
+    /// Returns the value of a variable that only one of two branches has assigned.
     pub fn perhaps(&self, value: Value) -> Value {
         match (self.second_reader, value) {
             (SecondReader::Nobody, value)
@@ -64,7 +64,7 @@ impl Reader {
         }
     }
 
-    /// `assert!(condition, …)`
+    /// Reads `assert!(condition, …)`.
     pub fn asserted(&mut self, call: &syn::Macro) -> Read {
         let all = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated);
         if let Some(condition) = all.ok().and_then(|all| all.into_iter().next()) {
@@ -84,7 +84,7 @@ impl Reader {
         Ok(Value::unit())
     }
 
-    /// The block of a `let … else`, which does not go on.
+    /// Reads the block of a `let … else`, which must leave the code around it.
     pub fn leaving(&mut self, block: &Expr) -> Read {
         let value = self.expression(block)?;
         if !matches!(value, Value::Left | Value::Never | Value::Poison) {
@@ -94,7 +94,8 @@ impl Reader {
         Ok(value)
     }
 
-    /// The last arm of a `match`, which is taken without a test, must not depend on one.
+    /// Reports a last arm of a `match` that has a condition, because the interpreter takes this arm
+    /// without a test.
     pub fn exhaustive(&mut self, branch: &ExprMatch, last: &Arm, condition: Node) {
         if (last.guard.is_some() || is_narrow(&last.pat))
             && self.graph.truth(condition) != Some(true)
@@ -103,7 +104,7 @@ impl Reader {
         }
     }
 
-    /// `break 'row` and `continue 'row` where no loop is called so.
+    /// Reports `break 'row` and `continue 'row` if no loop has this label.
     pub fn no_such_loop(&mut self, label: Option<&Lifetime>) -> Option<Value> {
         let label = label?;
         let mut known: Vec<String> = self.labels().map(|label| format!("`{label}`")).collect();
@@ -115,7 +116,7 @@ impl Reader {
         )
     }
 
-    /// A method of a type of the body's own that the type does not have.
+    /// Reports a method that a type of the body does not have.
     pub fn no_such_method(&mut self, ty: &str, method: &Ident) -> Option<Value> {
         let known = self.own.methods(ty);
         if known.is_empty() {
@@ -126,7 +127,7 @@ impl Reader {
         self.told_by_rustc(method, &message)
     }
 
-    /// True, and noted, of an array whose type has a name for another length.
+    /// Returns true, after a report, for an array whose declared length is another one.
     pub fn is_of_another_length(
         &mut self,
         all: &[Value],
@@ -140,7 +141,7 @@ impl Reader {
         self.told_by_rustc(at, &message).is_some()
     }
 
-    /// A pattern of a variant that the enum of the body's own does not have.
+    /// Reports a pattern of a variant that an enum of the body does not have.
     pub fn no_such_variant(&mut self, pattern: &Pat, adt: &Adt) -> Option<Value> {
         let path = match pattern {
             Pat::Path(path) => &path.path,
@@ -161,7 +162,7 @@ impl Reader {
         self.told_by_rustc(name, &message)
     }
 
-    /// A method of an `Option` with more or fewer arguments than it takes.
+    /// Reports a method of an `Option` with a wrong number of arguments.
     pub fn other_count(&mut self, method: &Ident, given: usize) -> Option<Value> {
         const TAKE_ONE: [&str; 14] = [
             "map",
@@ -191,7 +192,7 @@ impl Reader {
         if takes == given { None } else { self.told_by_rustc(method, &message) }
     }
 
-    /// A constant whose length the attribute gives must be of that length.
+    /// Compares a constant with the length that the attribute gives.
     pub fn hold_length(&mut self, name: &Ident, value: &Value) {
         let given = self.lengths.iter().find(|(known, _)| known == name).cloned();
         if let (Some((at, length)), Value::Integer(k, _)) = (given, value)
@@ -205,7 +206,7 @@ impl Reader {
     }
 }
 
-/// True of a pattern of some numbers only.
+/// Returns true for a pattern that matches only some numbers.
 fn is_narrow(pattern: &Pat) -> bool {
     match pattern {
         Pat::Lit(literal) => !matches!(literal.lit, syn::Lit::Bool(_)),
@@ -216,7 +217,7 @@ fn is_narrow(pattern: &Pat) -> bool {
     }
 }
 
-/// The variable of which an expression is a part, without going through references.
+/// Returns the variable of which an expression is a part, without following references.
 fn root(expression: &Expr) -> Option<String> {
     match expression {
         Expr::Path(path) => path.path.get_ident().map(ToString::to_string),

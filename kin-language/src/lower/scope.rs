@@ -1,6 +1,7 @@
-//! Names while the body is read, and the values of variables. A name means a slot of the store, so
-//! that closures and references see what becomes of a variable later; what a branch did to slots is
-//! taken back from a log, and joined with what the other one did.
+//! Names during the reading of the body, and the values of variables. A name refers to a slot of
+//! the store, so that closures and references see later changes of a variable. A log records the
+//! changes in a branch: the interpreter undoes them before it reads the other branch, and then
+//! joins both.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -16,17 +17,17 @@ pub struct Place {
     pub steps: Vec<Step>,
 }
 
-/// On the way to a part.
+/// A step from a value to one of its parts.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Step {
     Field(String),
     Index(usize),
-    /// From the first to before the second.
+    /// The range from the first index to before the second.
     Slice(usize, usize),
 }
 
 impl Place {
-    /// All of a variable.
+    /// Returns the place of a whole variable.
     pub fn whole(slot: Slot) -> Place {
         Place { slot, steps: vec![] }
     }
@@ -49,7 +50,7 @@ impl Place {
     }
 }
 
-/// Nested scopes, innermost last.
+/// Nested scopes; the innermost one is the last.
 #[derive(Clone, Default)]
 pub struct Scopes {
     scopes: Vec<Scope>,
@@ -58,7 +59,7 @@ pub struct Scopes {
 #[derive(Clone, Default)]
 pub struct Scope {
     variables: HashMap<String, Slot>,
-    /// Functions and constants, which are seen from before their own line, and from inside of other
+    /// Functions and constants by name. They are visible before their declaration, and inside other
     /// functions.
     items: HashMap<String, Value>,
 }
@@ -78,23 +79,23 @@ impl Scopes {
         self.scopes.pop();
     }
 
-    /// The innermost scope, taken off.
+    /// Removes the innermost scope and returns it.
     pub fn take(&mut self) -> Scope {
         self.scopes.pop().unwrap_or_default()
     }
 
-    /// The scope put on again.
+    /// Adds a scope as the innermost one.
     pub fn put(&mut self, scope: Scope) {
         self.scopes.push(scope);
     }
 
-    /// How many scopes there are.
+    /// Returns how many scopes there are.
     pub fn depth(&self) -> usize {
         self.scopes.len()
     }
 
-    /// The names that a function sees which is declared in scope number `depth`: the items around
-    /// it, and none of the variables.
+    /// Returns the names that a function declared in scope number `depth` sees: the items around
+    /// it, but no variables.
     pub fn around_function(&self, depth: usize) -> Scopes {
         let items = self
             .scopes
@@ -120,7 +121,7 @@ impl Scopes {
         &mut self.scopes[last]
     }
 
-    /// The names of all variables that are seen, each once.
+    /// Returns the names of all visible variables, each once.
     pub fn variables(&self) -> BTreeSet<&str> {
         self.scopes.iter().flat_map(|scope| scope.variables.keys().map(String::as_str)).collect()
     }
@@ -134,29 +135,32 @@ impl Scopes {
 }
 
 impl Scope {
-    /// Its variables, by name.
+    /// Returns the variables of this scope, by name.
     pub fn variables(&self) -> BTreeMap<String, Slot> {
         self.variables.iter().map(|(name, &slot)| (name.clone(), slot)).collect()
     }
 }
 
-/// The values of all variables, and a log of what they were before.
+/// The values of all variables, and a log of their earlier values.
 #[derive(Default)]
 pub struct Store {
+    /// The present value of each variable, indexed by slot.
     values: Vec<Value>,
+    /// The slot and the earlier value of each changed variable, in the order of the changes.
     log: Vec<(Slot, Value)>,
-    /// Where each branch or loop that is being read began.
+    /// The beginning of each branch or loop that the interpreter is reading, outermost first.
     marks: Vec<Mark>,
 }
 
-/// A place in the log, and how many variables there were.
+/// A position in the log, and the number of variables at that time. Changes of younger variables
+/// are not logged.
 #[derive(Clone, Copy)]
 pub struct Mark {
     log: usize,
     slots: usize,
 }
 
-/// Values of variables by their slots.
+/// The values of variables by slot.
 pub type Changes = BTreeMap<Slot, Value>;
 
 impl Store {
@@ -176,21 +180,21 @@ impl Store {
         }
     }
 
-    /// From here on changes are told apart.
+    /// Begins to log changes, and returns a mark.
     pub fn begin(&mut self) -> Mark {
         let mark = Mark { log: self.log.len(), slots: self.values.len() };
         self.marks.push(mark);
         mark
     }
 
-    /// The variables that have changed since a mark, as they are now.
+    /// Returns the variables that have changed since a mark, with their present values.
     pub fn changes(&self, since: Mark) -> Changes {
         let slots =
             self.log[since.log..].iter().map(|(slot, _)| *slot).filter(|slot| *slot < since.slots);
         slots.map(|slot| (slot, self.values[slot].clone())).collect()
     }
 
-    /// The value that a variable had at a mark.
+    /// Returns the value that a variable had at a mark.
     pub fn before(&self, since: Mark, slot: Slot) -> &Value {
         self.log[since.log..]
             .iter()
@@ -198,7 +202,7 @@ impl Store {
             .map_or(&self.values[slot], |(_, old)| old)
     }
 
-    /// The changes since the mark taken back.
+    /// Undoes the changes since the mark.
     pub fn take_back(&mut self, since: Mark) {
         while self.log.len() > since.log {
             if let Some((slot, old)) = self.log.pop() {
@@ -207,7 +211,7 @@ impl Store {
         }
     }
 
-    /// Changes are no longer told apart.
+    /// Ends the logging that the last [`Store::begin`] began.
     pub fn end(&mut self) {
         self.marks.pop();
         if self.marks.is_empty() {

@@ -1,4 +1,4 @@
-//! Fields and methods of body states, over the parts that emitted code reads.
+//! Fields and methods of body states, as functions of the parts that emitted code reads.
 
 use kin_graph::{Input, Node, Part};
 
@@ -10,12 +10,12 @@ impl Reader {
         self.graph.input(Input::State(slot, part))
     }
 
-    /// Value of a bare coordinate.
+    /// Returns the value of a bare coordinate.
     pub fn coordinate(&mut self, slot: usize) -> Value {
         Value::Scalar(self.part(slot, Part::Theta))
     }
 
-    /// R of a body.
+    /// Returns R of a body.
     pub fn origin(&mut self, slot: usize, dimension: usize) -> Vec<Node> {
         (0..dimension).map(|k| self.part(slot, Part::R(k))).collect()
     }
@@ -24,7 +24,7 @@ impl Reader {
         (0..4).map(|k| self.part(slot, Part::P(k))).collect()
     }
 
-    /// A of a body, row by row.
+    /// Returns A of a body, row by row.
     pub fn rotation(&mut self, slot: usize, dimension: usize) -> Vec<Node> {
         if dimension == 3 {
             let p = self.euler_parameters(slot);
@@ -35,7 +35,7 @@ impl Reader {
         vec![cos, self.graph.neg(sin), sin, cos]
     }
 
-    /// Field of a body's state, if it has one of that name.
+    /// Returns a field of a body's state, or `None` if it has none with this name.
     pub fn state_field(&mut self, slot: usize, dimension: usize, name: &str) -> Option<Value> {
         Some(match (name, dimension) {
             ("r", _) => Value::Vector(self.origin(slot, dimension)),
@@ -48,20 +48,20 @@ impl Reader {
         })
     }
 
-    /// h = A h̄
+    /// Returns h = A h̄.
     pub fn direction(&mut self, slot: usize, h: &[Node]) -> Vec<Node> {
         let a = self.rotation(slot, h.len());
         self.matrix_vector(&a, h)
     }
 
-    /// r_P = R + A ū
+    /// Returns r_P = R + A ū.
     pub fn point(&mut self, slot: usize, u: &[Node]) -> Vec<Node> {
         let r = self.origin(slot, u.len());
         let au = self.direction(slot, u);
         r.into_iter().zip(au).map(|(r, au)| self.graph.add(r, au)).collect()
     }
 
-    /// ū = Aᵀ (p − R)
+    /// Returns ū = Aᵀ (p − R).
     pub fn local(&mut self, slot: usize, p: &[Node]) -> Vec<Node> {
         let r = self.origin(slot, p.len());
         let a = self.rotation(slot, p.len());
@@ -86,7 +86,7 @@ impl Reader {
     }
 }
 
-/// A matrix with rows and columns exchanged.
+/// Returns the transpose of a matrix.
 pub fn transpose(m: &[Node]) -> Vec<Node> {
     let n = if m.len() == 9 { 3 } else { 2 };
     (0..n * n).map(|k| m[(k % n) * n + k / n]).collect()

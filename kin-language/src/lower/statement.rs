@@ -12,14 +12,14 @@ use super::{Read, Reader, Unreadable};
 use crate::parse::SecondReader;
 
 impl Reader {
-    /// The value of a function's body, which may `return` early.
+    /// Returns the value of a function's body, which may `return` early.
     pub fn body(&mut self, body: &Block) -> Read {
         self.enter(Kind::Function, None);
         let value = self.block(body)?;
         self.exit(value, body)
     }
 
-    /// The value of a block: that of its last expression, or nothing.
+    /// Returns the value of a block: that of its last expression, or `()`.
     pub fn block(&mut self, block: &Block) -> Read {
         self.scopes.push();
         let value = self.items(&block.stmts).and_then(|()| self.statements(&block.stmts));
@@ -41,7 +41,7 @@ impl Reader {
         Ok(value)
     }
 
-    /// The value of a statement: nothing, unless it is an expression without `;`.
+    /// Returns the value of a statement: `()`, unless it is an expression without `;`.
     fn statement(&mut self, statement: &Stmt) -> Read {
         match statement {
             Stmt::Local(local) => self.let_statement(local),
@@ -55,8 +55,8 @@ impl Reader {
         }
     }
 
-    /// Functions, constants and types of a block, which are seen from before their own line; other
-    /// items are repeated in emitted code.
+    /// Reads the functions, constants and types of a block, which are visible before their
+    /// declaration. Emitted code repeats the other items.
     fn items(&mut self, statements: &[Stmt]) -> Read<()> {
         let items = || {
             statements.iter().filter_map(|statement| {
@@ -98,7 +98,7 @@ impl Reader {
         if known || of_types && depth != self.body_depth {
             return Ok(());
         }
-        // Emitted code repeats an item for the whole body, so it must not come out of an inner
+        // Emitted code repeats an item for the whole body, so the item must not come from an inner
         // block.
         if depth != self.body_depth {
             return Err(Unreadable::new(item, "an item inside of an inner block"));
@@ -107,7 +107,7 @@ impl Reader {
         Ok(())
     }
 
-    /// True if a constant of the body's own is known here.
+    /// Reads a constant of the body, and returns true if its value is known here.
     fn constant(&mut self, name: &syn::Ident, value: &Expr, ty: &syn::Type, depth: usize) -> bool {
         let scopes = self.scopes.around_function(depth);
         let frames = self.frames.len();
@@ -128,7 +128,7 @@ impl Reader {
         }
     }
 
-    /// True if a value holds constants of the graph only.
+    /// Returns true if a value holds only constants of the graph.
     fn is_known(&self, value: &Value) -> bool {
         match value {
             Value::Integer(..) | Value::Function(_) => true,
@@ -172,7 +172,8 @@ impl Reader {
         }
     }
 
-    /// Macros that only say that there is no value here; others are rustc's.
+    /// Reads `panic!` and similar macros, which have no value, and the few other macros that the
+    /// interpreter knows. Any other macro is unreadable.
     pub fn macro_call(&mut self, call: &syn::Macro) -> Read {
         let name =
             call.path.segments.last().map(|segment| segment.ident.to_string()).unwrap_or_default();
@@ -181,7 +182,7 @@ impl Reader {
             "assert" | "debug_assert" if self.second_reader == SecondReader::Nobody => {
                 self.asserted(call)
             }
-            // rustc's reading sees to them.
+            // Rustc handles them when it compiles the user's function.
             "assert" | "assert_eq" | "assert_ne" | "debug_assert" | "debug_assert_eq"
             | "debug_assert_ne" => Ok(Value::unit()),
             "vec" => self.vec_macro(call),
@@ -190,7 +191,7 @@ impl Reader {
         }
     }
 
-    /// `matches!(value, pattern if guard)`
+    /// Reads `matches!(value, pattern if guard)`.
     fn matches_macro(&mut self, call: &syn::Macro) -> Read {
         let parse = |input: syn::parse::ParseStream| {
             let value: Expr = input.parse()?;
@@ -211,7 +212,7 @@ impl Reader {
         matched.map(Value::Condition)
     }
 
-    /// `vec![a, b]`, `vec![x; n]`
+    /// Reads `vec![a, b]`, `vec![x; n]`.
     fn vec_macro(&mut self, call: &syn::Macro) -> Read {
         if let Ok(list) = call.parse_body_with(Punctuated::<Expr, Token![,]>::parse_terminated) {
             return self.expressions(list.iter()).map(Value::Array);
@@ -228,13 +229,15 @@ impl Reader {
     }
 }
 
-/// True if a function is written for dual numbers: then it is called, and not read.
+/// Returns true if a function takes dual numbers: emitted code then calls it, and the interpreter
+/// does not read it.
 fn is_over_duals(function: &syn::ItemFn) -> bool {
     let bounds = quote::ToTokens::to_token_stream(&function.sig.generics).to_string();
     bounds.split(|c: char| !c.is_alphanumeric()).any(|word| word == "Dual")
 }
 
-/// A macro of the program's own, or one of the standard library that is not read.
+/// Returns the remark on a macro of the program, or on one of the standard library that the
+/// interpreter does not read.
 fn unknown_macro(call: &syn::Macro) -> Unreadable {
     let name = crate::error::tidy(&quote::ToTokens::to_token_stream(&call.path).to_string());
     Unreadable::new(&call.path, format!("the macro `{name}!`"))

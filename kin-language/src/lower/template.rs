@@ -1,5 +1,5 @@
-//! Expressions that only rustc understands: emitted code repeats them as the user wrote them, with
-//! values of the graph put in.
+//! Expressions that only rustc understands. Emitted code repeats them as the user wrote them, with
+//! values of the graph inserted.
 
 use std::rc::Rc;
 
@@ -12,17 +12,17 @@ use kin_graph::Node;
 /// An expression that emitted code repeats.
 #[derive(Clone)]
 pub enum Template {
-    /// As written.
+    /// Tokens that emitted code repeats unchanged.
     Tokens(TokenStream),
-    /// A path that is no variable: a constant, or the name of a function. Of a word in small
-    /// letters, which may be a slip of the pen, the variables around it too: rustc then says the
-    /// same of it in every copy of the body, and once.
+    /// A path that is no variable: a constant, or the name of a function. For a name in small
+    /// letters, which may be a typing error, the variables in scope come with it: rustc then gives
+    /// the same message in every copy of the body, and shows it once.
     Path(syn::ExprPath, Rc<[Ident]>),
-    /// Values of the graph, with the place they come from.
+    /// Values of the graph, with the span of their source.
     Numbers(Vec<Node>, Shape, Span),
     /// A field of the constraint: a parameter whose type only rustc knows.
     Parameter(Ident),
-    /// With the place of its parentheses.
+    /// A call, with the span of its parentheses.
     Call(Box<Template>, Vec<Template>, Span),
     Method(Box<Template>, TokenStream, Vec<Template>),
     Field(Box<Template>, syn::Member),
@@ -33,28 +33,29 @@ pub enum Template {
     Reference(Box<Template>),
     Tuple(Vec<Template>),
     Array(Vec<Template>),
-    /// A value of a struct or a variant: its path, its fields, and whether they stand in braces.
+    /// A value of a struct or a variant: its path, its fields, and true if the fields are in
+    /// braces.
     Struct(syn::Path, Vec<(String, Template)>, bool),
-    /// The state of a body, with its numbers: of a planar one R, θ, sin θ, cos θ, of a spatial one
-    /// R, p, A.
+    /// The state of a body, with its numbers: R, θ, sin θ, cos θ of a planar body; R, p, A of a
+    /// spatial one.
     State(Vec<Node>, usize, Span),
-    /// The part that a pattern calls by a name in the value, where that matches.
+    /// The part of the value to which a pattern gives this name, if the pattern matches.
     Part(Box<Template>, Box<syn::Pat>, Ident),
-    /// Does the value match the pattern?
+    /// The condition that the value matches the pattern.
     Matches(Box<Template>, TokenStream),
-    /// One of two, by a condition; what they are is decided by their place.
+    /// One of two values, by a condition; their place decides their type.
     Choice(Node, Box<Template>, Box<Template>),
-    /// The value, where a condition holds; elsewhere it is not computed.
+    /// The value where a condition holds; elsewhere emitted code does not compute it.
     When(Node, Box<Template>),
 }
 
 impl Template {
-    /// A path by itself.
+    /// Makes a path without variables in scope.
     pub fn path(path: &syn::ExprPath) -> Self {
         Template::Path(path.clone(), Rc::from([]))
     }
 
-    /// The values of the graph in it, in order.
+    /// Returns the values of the graph in the template, in order.
     pub fn nodes(&self) -> Vec<Node> {
         let mut nodes = Vec::new();
         self.visit(&mut |template| match template {
@@ -67,7 +68,7 @@ impl Template {
         nodes
     }
 
-    /// Where it begins, if that is known.
+    /// Returns the span at which the template begins, if it is known.
     pub fn place(&self) -> Option<Span> {
         match self {
             Template::Tokens(tokens) => tokens.clone().into_iter().next().map(|token| token.span()),
@@ -80,7 +81,7 @@ impl Template {
         }
     }
 
-    /// The functions that it calls, as they are written, with their places.
+    /// Returns the functions that the template calls, as the user wrote them, with their spans.
     pub fn called(&self) -> Vec<(String, Span)> {
         let mut found = Vec::new();
         self.visit(&mut |template| {
@@ -98,13 +99,13 @@ impl Template {
         found
     }
 
-    /// The constants and the functions by path that it reads of the program's own, as they are
-    /// written, with their places.
+    /// Returns the constants of the program and the functions by path that the template uses
+    /// without a call, as the user wrote them, with their spans.
     pub fn named(&self) -> Vec<(String, Span)> {
         let mut found = Vec::new();
         let mut callee = None;
         self.visit(&mut |template| {
-            // A callee is visited right behind its call.
+            // The visitor reaches a callee directly after its call.
             let is_callee = callee.take() == Some(std::ptr::from_ref(template));
             match template {
                 Template::Call(called, ..) => callee = Some(std::ptr::from_ref(&**called)),
@@ -119,13 +120,13 @@ impl Template {
         found
     }
 
-    /// Of how many templates it is made.
+    /// Returns the number of templates in the template.
     pub fn size(&self) -> usize {
         1 + self.parts().into_iter().map(Template::size).sum::<usize>()
     }
 
-    /// True if computing it may panic: an index out of range, a division of integers, the user's
-    /// own functions.
+    /// Returns true if the computation may panic: an index out of range, a division of integers, a
+    /// function of the user's program.
     pub fn may_panic(&self) -> bool {
         let mut found = false;
         self.visit(&mut |template| {
@@ -141,7 +142,8 @@ impl Template {
         found
     }
 
-    /// The parts in it that are values only where a pattern matches, those inside of others first.
+    /// Returns the parts that have a value only where a pattern matches; inner ones come before
+    /// outer ones.
     pub fn matched_parts(&self) -> Vec<&Template> {
         let mut found: Vec<&Template> =
             self.parts().into_iter().flat_map(Template::matched_parts).collect();
@@ -151,14 +153,14 @@ impl Template {
         found
     }
 
-    /// True if it holds a choice that its place has not yet decided on.
+    /// Returns true if the template holds a choice whose type its place has not decided yet.
     pub fn has_choice(&self) -> bool {
         let mut found = false;
         self.visit(&mut |template| found |= matches!(template, Template::Choice(..)));
         found
     }
 
-    /// `f` of the template, or of either side of a choice.
+    /// Applies `f` to the template, or to both sides of a choice.
     pub fn each(self, f: &dyn Fn(Template) -> Template) -> Template {
         match self {
             Template::Choice(condition, a, b) => {
@@ -197,7 +199,7 @@ impl Template {
         }
     }
 
-    /// Text that is equal for equal templates.
+    /// Returns a text that is equal for equal templates.
     pub fn key(&self) -> String {
         let list = |all: &[Template]| all.iter().map(Template::key).collect::<Vec<_>>().join(", ");
         match self {
@@ -239,8 +241,8 @@ impl Template {
     }
 }
 
-/// True for a constant or, as what is called, a function that is neither of the standard library
-/// nor of a number's type.
+/// Returns true for a constant, or for a called function if `is_callee`, that belongs neither to
+/// the standard library nor to a type of numbers.
 fn is_own(path: &syn::ExprPath, is_callee: bool) -> bool {
     let names = crate::vocabulary::names(path);
     let (Some(first), Some(last)) = (names.first(), names.last()) else { return false };

@@ -1,4 +1,4 @@
-//! Values under types that are written in the body.
+//! Values with a declared type in the body.
 
 use quote::ToTokens;
 use syn::Type;
@@ -10,7 +10,7 @@ use crate::parse::{Shape, literal_length, shape};
 use crate::vocabulary::is_integer;
 
 impl Reader {
-    /// A value under a type that is written there.
+    /// Converts a value to a declared type.
     pub fn typed(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
         let value = match (value, ty) {
             (value @ (Value::Poison | Value::Left), _) => return Ok(value),
@@ -75,7 +75,7 @@ impl Reader {
         self.of_type(value, ty, at)
     }
 
-    /// The same of a type that is no reference, list or tuple.
+    /// Converts a value to a type that is no reference, list or tuple.
     fn of_type(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
         match (shape(ty), named(ty).as_str()) {
             (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
@@ -113,7 +113,7 @@ impl Reader {
         }
     }
 
-    /// `Option<T>`, or a struct: what is in it is of the type that is written.
+    /// Converts the values in an `Option<T>` or a struct to the declared types of its parts.
     fn typed_adt(
         &mut self,
         mut adt: super::value::Adt,
@@ -135,7 +135,7 @@ impl Reader {
         Ok(Value::Adt(adt))
     }
 
-    /// `value.into()` in a place of a type that is no shape.
+    /// Reads `value.into()` at a place whose type is no shape.
     fn typed_into(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
         match named(ty).as_str() {
             "Vector2" | "Vector3" | "Option" => {
@@ -161,7 +161,7 @@ impl Reader {
         }
     }
 
-    /// `Box<T>`: what is in it.
+    /// Converts the value in a `Box<T>`.
     fn typed_inside(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
         let Type::Path(path) = ty else { return Ok(value) };
         match path.path.segments.last().map(|last| &last.arguments) {
@@ -186,7 +186,7 @@ impl Reader {
         }
     }
 
-    /// `Vec<T>`, as long as its length is known here.
+    /// Converts the elements of a `Vec<T>` whose length is known here.
     fn typed_list(&mut self, value: Value, ty: &Type, at: &dyn ToTokens) -> Read {
         let (Value::Array(all) | Value::Iterator(all), Type::Path(path)) = (value, ty) else {
             return Err(Unreadable::new(ty, "a list of unknown length"));
@@ -206,7 +206,7 @@ impl Reader {
     }
 }
 
-/// The last name of a type's path.
+/// Returns the last name of a type's path.
 fn named(ty: &Type) -> String {
     match ty {
         Type::Path(path) => {
@@ -217,7 +217,7 @@ fn named(ty: &Type) -> String {
 }
 
 impl Reader {
-    /// `std::array::from_fn(f)` of the length that its type says.
+    /// Reads `std::array::from_fn(f)` with the length from its type.
     fn generated(&mut self, f: &super::function::Function, ty: &Type, at: &dyn ToTokens) -> Read {
         let Type::Array(array) = ty else {
             return Err(Unreadable::new(at, "an array whose length is not known here"));

@@ -1,4 +1,4 @@
-//! The values of the body's expressions while they are read: typed values over the scalar graph.
+//! The values of the body's expressions during the reading: typed values over the scalar graph.
 
 use crate::parse::Shape;
 use kin_graph::Node;
@@ -14,69 +14,71 @@ use super::template::Template;
 pub enum Value {
     Scalar(Node),
     Condition(Node),
-    /// An integer known here, and its type as far as it is known.
+    /// An integer that is known here, and its type if that is known.
     Integer(i64, Option<IntegerType>),
     /// `Vec2` or `Vec3`.
     Vector(Vec<Node>),
-    /// `Mat2` or `Mat3`: its side, and its entries row by row.
+    /// `Mat2` or `Mat3`: the number of rows, and the entries row by row.
     Matrix(usize, Vec<Node>),
     /// Euler parameters e0..e3.
     Euler(Vec<Node>),
     Tuple(Vec<Value>),
     Array(Vec<Value>),
-    /// An iterator over values known one by one.
+    /// An iterator over a known list of values.
     Iterator(Vec<Value>),
     /// An iterator whose values do not end.
     Endless(Endless),
     /// A value of a struct, or of a variant of an enum: `Some(x)`, `Link { length, angle }`.
     Adt(Adt),
-    /// One of several, by conditions of which one holds; of the last it is not asked.
+    /// One of several values with their conditions, of which one holds; the last needs no test.
     Choice(Vec<(Node, Value)>),
-    /// `&mut place`
+    /// `&mut place`.
     Place(Place),
-    /// A borrowed value: only the user's own functions can tell it from the value itself.
+    /// A borrowed value. Only a function of the user's program distinguishes it from the value
+    /// itself.
     Reference(Box<Value>),
-    /// `value.into()`: its place says what it becomes.
+    /// `value.into()`: its place decides the type.
     Into(Box<Value>),
-    /// `std::array::from_fn(f)`: its place says how long it is.
+    /// `std::array::from_fn(f)`: its place decides the length.
     Generator(Function),
-    /// State of an argument.
+    /// The state of a planar body; the number is the slot of the argument.
     Planar(usize),
     Spatial(usize),
-    /// A law: how emitted code names it.
+    /// A law, as emitted code names it.
     Law(Template),
     /// An axis: its unit vectors h, f and g.
     Axis([Vec<Node>; 3]),
     Function(Function),
-    /// Something only rustc understands; a number of some shape as soon as its place asks for one.
+    /// A value that only rustc understands. It becomes a number or another shape when its place
+    /// needs one.
     Opaque(Template),
     /// A variable declared without a value.
     Unassigned,
-    /// In a text, a variable that has been given this value in some branches, and none in others.
+    /// In a text, a variable that has this value in some branches and none in others.
     Perhaps(Box<Value>),
-    /// `unreachable!()` and the like: there is no value here.
+    /// The absence of a value, from `unreachable!()` and similar macros.
     Never,
-    /// Behind `return`, `break` and `continue`: nothing is read here.
+    /// The position after `return`, `break` and `continue`, where the interpreter reads nothing.
     Left,
-    /// The rest of an expression with a mistake in it.
+    /// The substitute for an expression with a mistake in it.
     Poison,
 }
 
 /// A value of a struct or variant.
 #[derive(Clone)]
 pub struct Adt {
-    /// How it was written: `Link`, `Shape::Arc`, `Some`.
+    /// The path as the user wrote it: `Link`, `Shape::Arc`, `Some`.
     pub path: syn::Path,
     /// The name of the struct or variant.
     pub name: String,
-    /// By their names, or numbers.
+    /// The values of the fields, by their names or numbers.
     pub fields: Vec<(String, Value)>,
     /// True if it is written with braces.
     pub braces: bool,
 }
 
 impl Adt {
-    /// `name(value)`, or `name` alone.
+    /// Makes `name(value)`, or `name` alone.
     pub fn new(name: &str, value: Option<Value>) -> Self {
         let path = proc_macro2::Ident::new(name, proc_macro2::Span::call_site()).into();
         Adt {
@@ -87,7 +89,7 @@ impl Adt {
         }
     }
 
-    /// `Complex(a, b)`, `Shape::Line(a)`
+    /// Makes `Complex(a, b)`, `Shape::Line(a)`.
     pub fn tuple(path: &syn::Path, arguments: Vec<Value>) -> Self {
         let name = path.segments.last().map(|last| last.ident.to_string()).unwrap_or_default();
         let fields =
@@ -95,7 +97,7 @@ impl Adt {
         Adt { path: path.clone(), name, fields, braces: false }
     }
 
-    /// The name of its type: the second last of the path, if there are two.
+    /// Returns the name of the type: the second last name of the path, if there are two.
     pub fn type_name(&self) -> String {
         let segments: Vec<String> =
             self.path.segments.iter().map(|segment| segment.ident.to_string()).collect();
@@ -114,7 +116,7 @@ impl Adt {
     }
 }
 
-/// A value made of components that are added, scaled and negated one by one.
+/// A value made of components, for which addition, scaling and negation apply to each component.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Components {
     Vector(usize),
@@ -153,12 +155,12 @@ impl Value {
         Value::Adt(Adt::new("None", None))
     }
 
-    /// An index or a count.
+    /// Makes an index or a count.
     pub fn count(n: usize) -> Value {
         Value::Integer(n as i64, Some(IntegerType::SIZE))
     }
 
-    /// Of how many values it is made.
+    /// Returns the number of values in the value.
     pub fn size(&self) -> usize {
         match self {
             Value::Tuple(all) | Value::Array(all) | Value::Iterator(all) => {
@@ -172,7 +174,7 @@ impl Value {
         }
     }
 
-    /// The value that a reference refers to; any other value itself.
+    /// Returns the value behind a reference, or any other value unchanged.
     pub fn referent(self) -> Value {
         match self {
             Value::Reference(inner) => inner.referent(),
@@ -180,7 +182,7 @@ impl Value {
         }
     }
 
-    /// Its components, if it has any.
+    /// Returns the components, if the value has any.
     pub fn components(&self) -> Option<(Components, &[Node])> {
         match self {
             Value::Vector(v) => Some((Components::Vector(v.len()), v)),
@@ -190,7 +192,7 @@ impl Value {
         }
     }
 
-    /// How messages call it.
+    /// Returns the name of the kind in messages.
     pub fn name(&self) -> String {
         match self {
             Value::Scalar(_) => "a number".into(),
@@ -221,7 +223,7 @@ impl Value {
         }
     }
 
-    /// Nodes and shape of a value made of numbers.
+    /// Returns the nodes and the shape of a value made of numbers.
     pub fn numbers(&self) -> Option<(Vec<Node>, Shape)> {
         match self {
             Value::Scalar(n) => Some((vec![*n], Shape::Scalar)),
@@ -238,7 +240,7 @@ impl Value {
         }
     }
 
-    /// A value of `shape` from its numbers.
+    /// Makes a value of `shape` from its numbers.
     pub fn from_numbers(shape: &Shape, numbers: &mut dyn Iterator<Item = Node>) -> Option<Value> {
         let mut take = |n: usize| -> Option<Vec<Node>> {
             let all: Vec<Node> = (0..n).map_while(|_| numbers.next()).collect();
@@ -260,7 +262,7 @@ impl Value {
     }
 }
 
-/// Nodes and shapes of several values, if all are made of numbers.
+/// Returns the nodes and the shapes of several values, if all are made of numbers.
 fn several(all: &[Value]) -> Option<(Vec<Node>, Vec<Shape>)> {
     let parts: Vec<(Vec<Node>, Shape)> = all.iter().map(Value::numbers).collect::<Option<_>>()?;
     let nodes = parts.iter().flat_map(|(nodes, _)| nodes.iter().copied()).collect();
@@ -268,7 +270,7 @@ fn several(all: &[Value]) -> Option<(Vec<Node>, Vec<Shape>)> {
 }
 
 impl Shape {
-    /// How many numbers it is made of.
+    /// Returns how many numbers the shape has.
     pub fn count(&self) -> usize {
         match self {
             Shape::Scalar => 1,
@@ -281,7 +283,7 @@ impl Shape {
         }
     }
 
-    /// How messages call it.
+    /// Returns the name of the shape in messages.
     pub fn name(&self) -> String {
         match self {
             Shape::Scalar => "f64".into(),
@@ -297,12 +299,12 @@ impl Shape {
     }
 }
 
-/// Place of a name among others.
+/// Returns the position of a name among others.
 pub fn position(name: &str, names: &[&str]) -> Option<usize> {
     names.iter().position(|n| *n == name)
 }
 
-/// Place of `m12` in a matrix of side `n`.
+/// Returns the position of `m12` in a matrix of `n` rows.
 pub fn entry(name: &str, n: usize) -> Option<usize> {
     let digits: Vec<usize> = name
         .strip_prefix('m')?

@@ -1,12 +1,12 @@
-//! Names that the body gives to types, `type T = f64;`: everywhere but in the function as it was
-//! written the type itself stands for them.
+//! Aliases that the body declares for types, `type T = f64;`. All code except the copy of the
+//! user's function uses the type itself.
 
 use std::collections::HashMap;
 
 use syn::visit_mut::{self, VisitMut};
 use syn::{Block, ExprPath, Item, Stmt, Type};
 
-/// The body without such names; `None` if it has none.
+/// Returns the body without aliases, or `None` if it declares none.
 pub fn resolved(body: &Block) -> Option<Block> {
     let mut resolver = Resolver { scopes: vec![], found: false, replaced: 0, depth: 0 };
     let mut body = body.clone();
@@ -14,8 +14,8 @@ pub fn resolved(body: &Block) -> Option<Block> {
     resolver.found.then_some(body)
 }
 
-/// So many names are replaced at most, and so deep in each other: a circle of names is rustc's to
-/// tell.
+/// Limits of the number of replaced names and of the depth of aliases in aliases. Rustc reports a
+/// circle of aliases.
 const MOST: usize = 2_000;
 const DEEPEST: usize = 32;
 
@@ -27,7 +27,7 @@ struct Resolver {
 }
 
 impl Resolver {
-    /// The type that the first name of a path stands for, and the number of the scope that says so.
+    /// Returns the type of the first name of a path, and the number of the scope that declares it.
     fn get(&self, path: &syn::Path) -> Option<(usize, Type)> {
         let first = path
             .segments
@@ -44,7 +44,8 @@ impl Resolver {
             .find_map(|(k, scope)| scope.get(&name).map(|ty| (k, ty.clone())))
     }
 
-    /// The same with the names in it replaced too, as its own scope sees them.
+    /// Returns the type of the first name of a path, after replacement of the aliases in it. These
+    /// have their meaning in the scope of the declaration.
     fn meant(&mut self, path: &syn::Path) -> Option<Type> {
         let (scope, mut ty) = self.get(path)?;
         self.replaced += 1;
@@ -86,7 +87,7 @@ impl VisitMut for Resolver {
         visit_mut::visit_type_mut(self, ty);
     }
 
-    /// `T::cos(x)`
+    /// Replaces the alias in `T::cos(x)`.
     fn visit_expr_path_mut(&mut self, path: &mut ExprPath) {
         if path.qself.is_none()
             && path.path.segments.len() > 1

@@ -7,18 +7,18 @@ use syn::punctuated::Punctuated;
 
 use super::Choice;
 
-/// The contents of the attribute.
+/// The parsed words of the attribute.
 pub struct Asked {
     pub choice: Choice,
-    /// A warning at the token that cannot be read.
+    /// True if the user wants a warning at the token that the interpreter cannot read.
     pub warn_dual: bool,
-    /// Lengths by their names: `LEGS = 6`.
+    /// The lengths by name, as in `LEGS = 6`.
     pub lengths: Vec<(Ident, syn::LitInt)>,
-    /// Functions whose texts go with its own: `with = helper`.
+    /// Functions whose text goes with the text of the constraint, as in `with = helper`.
     pub with: Vec<syn::Path>,
 }
 
-/// Reads the words; each at most once, and none that contradict each other.
+/// Reads the words. A word that occurs twice, or contradicts another one, is an error.
 pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     const WORDS: &str =
         "`#[constraint]` takes nothing, `symbolic`, `dual`, `warn_dual`, or a length: `LEGS = 6`";
@@ -62,7 +62,7 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     }
 }
 
-/// `symbolic`, `LEGS = 6`, or `with = helper`.
+/// One word of the attribute: `symbolic`, `LEGS = 6`, or `with = helper`.
 struct Word {
     name: Ident,
     length: Option<syn::LitInt>,

@@ -1,5 +1,4 @@
-//! Attributes below `#[constraint]` and `#[law]`: what is demanded of the parameters, and of the
-//! pose.
+//! Attributes below `#[constraint]` and `#[law]` with conditions on the parameters and on the pose.
 
 use quote::ToTokens;
 use syn::parse::ParseStream;
@@ -8,15 +7,15 @@ use syn::{Attribute, Expr, LitStr, Token};
 use crate::error::Mistakes;
 use crate::error::tidy;
 
-/// `#[require(condition)]`, `#[require(condition, "what to say")]`, and `#[branch(…)]` of the same
-/// form.
+/// A condition from `#[require(condition)]`, `#[require(condition, "what to say")]`, or
+/// `#[branch(…)]` of the same form.
 pub struct Demand {
     pub condition: Expr,
-    /// The message where the condition does not hold.
+    /// The message if the condition does not hold.
     pub text: String,
 }
 
-/// Takes the attributes called `word` out of the list.
+/// Removes the attributes with the name `word` from the list and returns them.
 pub fn take(attributes: &mut Vec<Attribute>, word: &str, mistakes: &mut Mistakes) -> Vec<Demand> {
     let (own, others) = attributes.drain(..).partition(|attribute| attribute.path().is_ident(word));
     *attributes = others;

@@ -1,4 +1,4 @@
-//! Lengths that the attribute gives: of a const generic, or of a constant beside the function,
+//! Lengths that the attribute gives, for a const generic or for a constant outside the function,
 //! whose value no macro sees.
 
 use quote::ToTokens;
@@ -7,8 +7,8 @@ use syn::{Expr, GenericParam, Ident, ItemFn, Lifetime, LitInt, parse_quote};
 
 use crate::error::Mistakes;
 
-/// Puts the lengths into the signature. A const generic becomes a constant of the body; the others
-/// are returned, to be compared with what they are.
+/// Inserts the lengths into the signature. A const generic becomes a constant of the body. The
+/// function returns the other lengths; emitted code compares them with the constants.
 pub fn put(
     function: &mut ItemFn,
     lengths: &[(Ident, LitInt)],
@@ -64,7 +64,8 @@ pub fn put(
     outside
 }
 
-/// Uses of a lifetime that has been refused are read as `'static`: one slip has one message.
+/// The visitor that replaces a refused lifetime by `'static`, so that one mistake gives one
+/// message.
 struct AsLongAsTheProgram<'a>(&'a Lifetime);
 
 impl VisitMut for AsLongAsTheProgram<'_> {

@@ -1,4 +1,5 @@
-//! `#[measure(…)]`: what can be asked of a joint beside its equations.
+//! The attribute `#[measure(…)]`: a quantity of a joint that a user can read in addition to its
+//! equations.
 
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -6,19 +7,20 @@ use syn::{Attribute, Expr, Ident, LitStr, Token};
 
 use crate::error::Mistakes;
 
-/// `#[measure(name = value, "unit")]`, then, if so, `turns` (an angle known up to whole turns) and
-/// `ends = (from, to)`.
+/// A measure from `#[measure(name = value, "unit")]`, with the optional words `turns` (an angle
+/// known up to whole turns) and `ends = (from, to)`.
 pub struct Measure {
     pub name: Ident,
     pub value: Expr,
     pub unit: String,
-    /// True if whole turns are counted from one time to the next.
+    /// True if Kin counts whole turns from one time to the next.
     pub turns: bool,
-    /// Where its range ends, from parameters alone.
+    /// The ends of the range as functions of the parameters alone, or `None` if the range has no
+    /// ends.
     pub ends: Option<(Expr, Expr)>,
 }
 
-/// Takes the attributes out of the list.
+/// Removes the measures from the list of attributes and returns them.
 pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Measure> {
     let (own, others): (Vec<Attribute>, _) =
         attributes.drain(..).partition(|attribute| attribute.path().is_ident("measure"));
@@ -64,7 +66,7 @@ fn measure(input: ParseStream) -> syn::Result<Measure> {
     Ok(measure)
 }
 
-/// `(from, to)`
+/// Reads `(from, to)`.
 fn ends(input: ParseStream) -> syn::Result<(Expr, Expr)> {
     let pair;
     syn::parenthesized!(pair in input);

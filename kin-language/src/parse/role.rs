@@ -1,5 +1,5 @@
-//! Signatures by what their functions are for: an equation C(q, t), or under `#[force]` f(x, ẋ, t)
-//! along a length or an angle x.
+//! Signatures by the role of the function: an equation C(q, t), or under `#[force]` a force f(x, ẋ,
+//! t) along a length or an angle x.
 
 use super::{ConstraintFn, Kind, Role, Shape};
 
@@ -13,8 +13,8 @@ const VALUE: &str = "a force along x is one number: return an `f64`";
 const RATE: &str = "an equation C(q, t) = 0 reads no rates, Kin differentiates it: a coordinate is a `Coord`, and what \
      acts by a rate is a `#[force]`";
 
-/// Checks a signature by what its function is for. Errors: at the type of an argument that does not
-/// belong there.
+/// Checks a signature for the role of its function. An argument that the role does not permit is an
+/// error at its type.
 pub fn in_role(source: ConstraintFn, role: Role) -> syn::Result<ConstraintFn> {
     if role == Role::Force {
         return force(source);
@@ -25,8 +25,8 @@ pub fn in_role(source: ConstraintFn, role: Role) -> syn::Result<ConstraintFn> {
     }
 }
 
-/// Checks the signature of a force, read as that of a constraint. Errors: other arguments than x,
-/// its rate, t and parameters, at their types.
+/// Checks the signature of a force, parsed as that of a constraint. Arguments other than x, its
+/// rate, t and parameters are errors at their types.
 fn force(source: ConstraintFn) -> syn::Result<ConstraintFn> {
     for (k, argument) in source.arguments.iter().enumerate() {
         let text = match (&argument.kind, k) {

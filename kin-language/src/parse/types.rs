@@ -1,31 +1,31 @@
-//! The types of a signature, by their names: they say what an argument is.
+//! The types of a signature, by name: the name decides the kind of the argument.
 
 use quote::ToTokens;
 use syn::{Expr, ExprLit, Lit, Type};
 
-/// Kinds of arguments, by the names of their types.
+/// The kind of an argument, from the name of its type.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Kind {
     Planar,
     Spatial,
     Coord,
     Coords(usize),
-    /// `[Planar; N]` and `[Spatial; N]`
+    /// Several planar bodies: `[Planar; N]`; and several spatial ones: `[Spatial; N]`.
     Planars(usize),
     Spatials(usize),
     Time,
     Law,
-    /// An axis: its direction and two others across it.
+    /// An axis: its direction and two directions across it.
     Axis,
     /// A parameter made of numbers.
     Numbers(Shape),
-    /// Any other parameter: `usize`, `bool`, a type of the user's.
+    /// Any other parameter: `usize`, `bool`, or a type of the user's program.
     Other,
 }
 
 impl Kind {
-    /// How many of the constraint's arguments it is (bodies and coordinates; not parameters, not
-    /// time).
+    /// Returns the number of bodies and coordinates in the argument; parameters and the time have
+    /// none.
     pub fn slots(&self) -> usize {
         match self {
             Kind::Planar | Kind::Spatial | Kind::Coord => 1,
@@ -34,7 +34,7 @@ impl Kind {
         }
     }
 
-    /// Number of columns of C_q.
+    /// Returns the number of columns of C_q.
     pub fn columns(&self) -> usize {
         match self {
             Kind::Planar => 3,
@@ -45,7 +45,7 @@ impl Kind {
         }
     }
 
-    /// True if the constructor takes the argument and the struct holds it.
+    /// Returns true if the constructor takes the argument and the struct stores it.
     pub fn is_field(&self) -> bool {
         *self != Kind::Time
     }
@@ -58,16 +58,16 @@ pub enum Shape {
     Scalar,
     Vector(usize),
     Matrix(usize),
-    /// `EulerParameters`
+    /// Euler parameters, `EulerParameters`.
     Euler,
     Array(Box<Shape>, usize),
     Tuple(Vec<Shape>),
-    /// `_`: whatever the value is.
+    /// Any type, `_`.
     Any,
 }
 
 impl Shape {
-    /// True if no part of it is `_`.
+    /// Returns true if no part of the shape is `_`.
     fn is_known(&self) -> bool {
         match self {
             Shape::Any => false,
@@ -78,7 +78,7 @@ impl Shape {
     }
 }
 
-/// The kind of argument that a type in the signature means, by its name.
+/// Returns the kind of argument of a type in the signature, by its name.
 pub fn kind(ty: &Type) -> syn::Result<Kind> {
     match shape(ty) {
         Some(shape) if shape.is_known() => return Ok(Kind::Numbers(shape)),
@@ -108,7 +108,7 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
     }
 }
 
-/// `[Coord; N]`, `[Planar; N]`
+/// Returns the kind of an array: `[Coord; N]`, `[Planar; N]`.
 fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
     let name = last_name(&array.elem).unwrap_or_default();
     let (all, each) =
@@ -154,7 +154,7 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
                 "inside the function a planar body is its state: write `Planar`",
             ));
         }
-        // Alone it may be the user's own.
+        // Without the path, the name may mean a type of the user's program.
         "Link" if path.path.segments.first().is_some_and(|first| first.ident == "kin") => {
             return Err(syn::Error::new_spanned(
                 path,
@@ -208,7 +208,7 @@ fn reference_mistake(reference: &syn::TypeReference) -> syn::Error {
     syn::Error::new_spanned(reference, text)
 }
 
-/// `&'static T` of a type of its own.
+/// Returns true for `&'static T`.
 fn is_static(reference: &syn::TypeReference) -> bool {
     let lives = reference.lifetime.as_ref().is_some_and(|lifetime| lifetime.ident == "static");
     lives && reference.mutability.is_none() && !is_marker(&reference.elem)
@@ -218,7 +218,7 @@ fn is_marker(ty: &Type) -> bool {
     matches!(last_name(ty).as_deref(), Some("Planar" | "Spatial" | "Coord" | "Rate" | "Time"))
 }
 
-/// True of the rate of a force's length or angle.
+/// Returns true for the type of the rate of a force's length or angle.
 pub(super) fn is_rate(ty: &Type) -> bool {
     last_name(ty).as_deref() == Some("Rate")
 }
@@ -232,7 +232,7 @@ fn last_name(ty: &Type) -> Option<String> {
     }
 }
 
-/// A type made of numbers; `None` if it is anything else.
+/// Returns the shape of a type made of numbers, or `None` for any other type.
 pub fn shape(ty: &Type) -> Option<Shape> {
     match ty {
         Type::Path(path) if path.qself.is_none() => {
@@ -269,7 +269,7 @@ pub fn literal_length(length: &Expr) -> Option<usize> {
     }
 }
 
-/// True if a value of this shape is one row or more.
+/// Returns true if a value of this shape is one row or more.
 pub(super) fn has_rows(shape: &Shape) -> bool {
     match shape {
         Shape::Scalar | Shape::Vector(_) => true,

@@ -12,8 +12,9 @@ from ._load import Load, of_library
 
 
 def length(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like) -> Joint:
-    """The distance of two points, |r_Pi − r_Pj|: a length to act along. [m] `u_i`, `u_j`: the points. Where
-    they meet it has no slope. Signs: none; a force along it pushes the points apart.
+    """Returns the distance of two points, |r_Pi − r_Pj|, as a length to act along. [m] `u_i` and `u_j` are the
+    local positions of the points in body i and body j [m]. Where the points meet, the distance has no
+    derivative. Signs: none. A positive force along the distance pushes the points apart.
     """
     return joint("length", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j)])
@@ -27,28 +28,31 @@ def spring(
     stiffness: NumberLike,
     free: NumberLike,
 ) -> Load:
-    """A spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)². [J] `u_i`, `u_j`: the points; `stiffness`:
-    k, `free`: l0, its length without force. Shabana, Computational Dynamics, section 5.2. Signs: longer
-    than l0 it pulls the points together.
+    """Acts as a spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)². [J] `u_i` and `u_j` are the local
+    positions of the points in body i and body j [m]. `stiffness` is k [N/m]. `free` is l0, the length
+    without force [m]. Shabana, Computational Dynamics, section 5.2. Signs: a spring longer than l0 pulls
+    the points together.
     """
     return of_library("spring", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("stiffness", "f64", stiffness), ("free", "f64", free)])
 
 
 def slide(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, h_j: AxisLike) -> Joint:
-    """How far P_i is along a direction of body j: h_j · (r_Pi − r_Pj), a length to act along. [m] `u_i`,
-    `u_j`: the points; `h_j`: the direction in body j, such as the axis of a cylinder. Signs: a force along
-    it pushes P_i along h_j, and j the other way.
+    """Returns the displacement of P_i along a direction of body j, h_j · (r_Pi − r_Pj), as a length to act
+    along. [m] `u_i` and `u_j` are the local positions of the points in body i and body j [m]. `h_j` is the
+    direction in body j, such as the axis of a cylinder. Signs: a positive force along the displacement
+    pushes P_i along h_j and body j in the opposite direction.
     """
     return joint("slide", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("h_j", "Axis", h_j)])
 
 
 def turn(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: AxisLike) -> Joint:
-    """The turn of body i in body j about an axis, from f_j to f_i: an angle to act along. [rad] `h_i`, `h_j`:
-    the common axis in either body, held parallel by a joint. Between −π and π: a spring that is wound
-    further belongs on a separate coordinate (`spatial.relative_angle`). Signs: a torque along it turns i
-    right-handed about h_j, and j the other way.
+    """Returns the angle of body i relative to body j about an axis, from f_j to f_i, as an angle to act along.
+    [rad] `h_i` and `h_j` are the common axis in body i and body j. A joint must hold the axes parallel. The
+    angle is between −π and π. For a spring wound further use a separate coordinate
+    (`spatial.relative_angle`). Signs: a positive torque along the angle turns i right-handed about h_j, and
+    j in the opposite direction.
     """
     return joint("turn", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i), ("h_j", "Axis",
         h_j)])
@@ -62,9 +66,9 @@ def torsion_spring(
     stiffness: NumberLike,
     free: NumberLike,
 ) -> Load:
-    """A torsion spring about an axis: V = ½ k (φ − φ0)², φ the turn of i in j. [J] `h_i`, `h_j`: the common
-    axis in either body; `stiffness`: k, `free`: φ0. It is wound by π at most to either side. Signs: turned
-    beyond φ0, body i is turned back.
+    """Acts as a torsion spring about an axis: V = ½ k (φ − φ0)², where φ is the angle of i relative to j. [J]
+    `h_i` and `h_j` are the common axis in body i and body j. `stiffness` is k [N m/rad]. `free` is φ0
+    [rad]. Kin takes φ − φ0 between −π and π. Signs: beyond φ0 the spring turns body i back.
     """
     return of_library("torsion_spring", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i),
         ("h_j", "Axis", h_j), ("stiffness", "f64", stiffness), ("free", "f64", free)])
@@ -79,10 +83,12 @@ def bushing(
     stiffness: Vec3Like,
     torsion: Vec3Like,
 ) -> Load:
-    """An elastic bushing: V = ½ Σ k d² + 2 Σ κ e², d the way from P_j to P_i as body j sees it, e the vector
-    part of the Euler parameters of i in j; for small turns 2 e is the turn. [J] `u_i`, `u_j`: the points;
-    `p_j`: the Euler parameters of i in j without torque; `stiffness`: k along the axes of j [N/m],
-    `torsion`: κ about them [N m/rad]. Signs: it pulls P_i back to P_j and turns i back.
+    """Acts as an elastic bushing: V = ½ Σ k d² + 2 Σ κ e², where d is the vector from P_j to P_i in the frame
+    of j and e the rotation of i. [J] e is the vector part of the Euler parameters of i relative to j; for
+    small rotations 2 e is the angle. `u_i` and `u_j` are the local positions of the points in body i and
+    body j [m]. `p_j` are the Euler parameters of i relative to j without torque. `stiffness` is k along the
+    axes of j [N/m]. `torsion` is κ about them [N m/rad]. Signs: the bushing pulls P_i back to P_j and turns
+    i back.
     """
     return of_library("bushing", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("p_j", "EulerParameters", p_j), ("stiffness", "Vec3", stiffness), ("torsion", "Vec3",
@@ -90,9 +96,10 @@ def bushing(
 
 
 def small_turn(i: SpatialLike, j: SpatialLike, p_j: EulerLike, h_j: AxisLike) -> Joint:
-    """A component of the turn of body i in body j: 2 e · h_j, an angle to act along where it is small. [rad]
-    `p_j`: the Euler parameters of i in j where it is zero, `h_j`: the direction in body j. Signs: a torque
-    along it turns i right-handed about h_j, and j the other way.
+    """Returns a component of a small rotation of body i in body j, 2 e · h_j, as an angle to act along. [rad]
+    e is the vector part of the Euler parameters of i relative to j. `p_j` are these Euler parameters where
+    the angle is zero. `h_j` is the direction in body j. Signs: a positive torque along the angle turns i
+    right-handed about h_j, and j in the opposite direction.
     """
     return joint("small_turn", [("i", "Spatial", i), ("j", "Spatial", j), ("p_j", "EulerParameters", p_j),
         ("h_j", "Axis", h_j)])

@@ -13,87 +13,92 @@ from ._joint import AxisLike, EulerLike, Joint, LawLike, Vec2Like, Vec3Like, joi
 
 
 def spherical(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like) -> Joint:
-    """Ball joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0. [m]
+    """Holds point P of body i on point P of body j, as a ball joint does: R_i + A_i ū_i − R_j − A_j ū_j = 0.
+    [m]
 
-    Removes 3 freedoms. `u_i`, `u_j`: local position of P in either body. As a primitive it is called at-
-    point. Lecture, "Spherical Joint Constraint". Signs: none; the rows are global components of the way
-    from P_j to P_i.
+    Removes 3 freedoms. `u_i` and `u_j` are the local positions of P in body i and body j [m]. As a
+    primitive this joint is called at-point. Lecture, "Spherical Joint Constraint". Signs: none; the rows
+    are the global components of the vector from P_j to P_i.
     """
     return joint("spherical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j)])
 
 
 def distance(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, length: NumberLike) -> Joint:
-    """Rod without mass between two balls: (|r_Pi − r_Pj|² − l²)/(2 l) = 0. [m]
+    """Holds two points at a constant distance, as a rod without mass does: (|r_Pi − r_Pj|² − l²)/(2 l) = 0.
+    [m]
 
-    Removes 1 freedom. `u_i`, `u_j`: the balls; a rod between a ball and a universal joint has the same
-    equation. Near the solution this is |r_Pi − r_Pj| − l, but it has no singular slope where the points
-    meet. Haug, section 9.4. Signs: none; `length` is above zero, and the rod may point anywhere.
+    Removes 1 freedom. `u_i` and `u_j` are the local positions of the points in body i and body j [m].
+    `length` is the positive length l of the rod [m]. A rod between a ball joint and a universal joint has
+    the same equation. Near the solution the row is |r_Pi − r_Pj| − l, but its derivative also exists where
+    the points meet. Haug, section 9.4. Signs: none; the rod may point in any direction.
     """
     return joint("distance", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("length", "f64", length)])
 
 
 def point_on_line(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, h_j: AxisLike) -> Joint:
-    """Ball on a line: f_j · d = g_j · d = 0 with d = r_Pi − r_Pj. [m, m]
+    """Keeps a point of body i on a line of body j: f_j · d = g_j · d = 0 with d = r_Pi − r_Pj. [m, m]
 
-    Removes 2 freedoms. `u_i`: the ball; `u_j`: a point of the line, `h_j`: its direction; f_j and g_j are
-    across it. Haug, section 9.4. Measure: `slide`, h_j · d. Signs: the slide grows as i moves along h_j in
-    j.
+    Removes 2 freedoms. `u_i` is the local position of the point in body i [m]. `u_j` is a point of the line
+    [m] and `h_j` the direction of the line in body j. f_j and g_j are the two directions across h_j. Haug,
+    section 9.4. Measure: `slide`, h_j · d. Signs: the slide grows as i moves along h_j in j.
     """
     return joint("point_on_line", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_j", "Axis", h_j)])
 
 
 def point_in_plane(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, h_j: Vec3Like) -> Joint:
-    """Ball in a plane: h_j · (r_Pi − r_Pj) = 0. [m]
+    """Keeps a point of body i in a plane of body j: h_j · (r_Pi − r_Pj) = 0. [m]
 
-    Removes 1 freedom. `u_i`: the ball; `u_j`: a point of the plane, `h_j`: its normal, whose length scales
-    the row. As a primitive it is called dot-2. Haug, section 9.4. Signs: the row is positive where the ball
-    is on the side to which h_j points.
+    Removes 1 freedom. `u_i` is the local position of the point in body i [m]. `u_j` is a point of the plane
+    [m] and `h_j` the normal of the plane in body j; its length scales the row. As a primitive this joint is
+    called dot-2. Haug, section 9.4. Signs: the row is positive where the point is on the side to which h_j
+    points.
     """
     return joint("point_in_plane", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_j", "Vec3", h_j)])
 
 
 def point_coordinate(body: SpatialLike, u: Vec3Like, n: Vec3Like, value: NumberLike) -> Joint:
-    """One coordinate of a point: n · r_P − c = 0. [m]
+    """Holds one global coordinate of a point at a constant value: n · r_P − c = 0. [m]
 
-    Removes 1 freedom. `u`: local position of P; `n`: the global direction along which it is measured, whose
-    length scales the row and `value`: c. Haug, section 9.4. Signs: c grows along `n`.
+    Removes 1 freedom. `u` is the local position of P [m]. `n` is the global direction of the coordinate;
+    its length scales the row and c. `value` is c [m]. Haug, section 9.4. Signs: c grows along `n`.
     """
     return joint("point_coordinate", [("body", "Spatial", body), ("u", "Vec3", u), ("n", "Vec3", n),
         ("value", "f64", value)])
 
 
 def parallel(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: Vec3Like) -> Joint:
-    """Parallel axes: f_i · h_j = g_i · h_j = 0. [–, –]
+    """Keeps an axis of body i parallel to an axis of body j: f_i · h_j = g_i · h_j = 0. [–, –]
 
-    Removes 2 freedoms. `h_i`, `h_j`: the axes; f_i and g_i are across h_i, the length of h_j scales the
-    rows. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
-    section 9.4. Signs: h_i and h_j point the same way.
+    Removes 2 freedoms. `h_i` and `h_j` are the axes. f_i and g_i are the two directions across h_i; the
+    length of h_j scales the rows. Opposite axes satisfy the equations too, so a position found with h_i ·
+    h_j < 0 is an error. Haug, section 9.4. Signs: h_i and h_j point in the same direction.
     """
     return joint("parallel", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i), ("h_j",
         "Vec3", h_j)])
 
 
 def perpendicular(i: SpatialLike, j: SpatialLike, h_i: Vec3Like, h_j: Vec3Like) -> Joint:
-    """Perpendicular directions: h_i · h_j = 0. [–]
+    """Keeps a direction of body i perpendicular to a direction of body j: h_i · h_j = 0. [–]
 
-    Removes 1 freedom. `h_i`, `h_j`: the directions, whose lengths scale the row. As a primitive it is
-    called dot-1. Haug, section 9.4. Signs: the row is positive where the angle between h_i and h_j is less
-    than 90°.
+    Removes 1 freedom. `h_i` and `h_j` are the directions; their lengths scale the row. As a primitive this
+    joint is called dot-1. Haug, section 9.4. Signs: the row is positive where the angle between h_i and h_j
+    is less than 90°.
     """
     return joint("perpendicular", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Vec3", h_i), ("h_j",
         "Vec3", h_j)])
 
 
 def angle(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: AxisLike, alpha: NumberLike) -> Joint:
-    """Directions at an angle: h_i · h_j − cos α = 0. [–]
+    """Holds a direction of body i at a constant angle to a direction of body j: h_i · h_j − cos α = 0. [–]
 
-    Removes 1 freedom. `h_i`, `h_j`: the directions; `alpha`: the angle between them, strictly between 0 and
-    π: at the ends the row has no slope, and `parallel` is meant. Haug, section 9.4. Signs: the angle has
-    none: h_i may stand anywhere on a cone about h_j. The row is positive where it is less than α.
+    Removes 1 freedom. `h_i` and `h_j` are the directions. `alpha` is the angle α between them, strictly
+    between 0 and π [rad]. At 0 and π the derivative of the row is zero; use `parallel` instead. Haug,
+    section 9.4. Signs: the angle has no sign, so h_i can be anywhere on a cone about h_j. The row is
+    positive where the angle is less than α.
     """
     return joint("angle", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i), ("h_j", "Axis",
         h_j), ("alpha", "f64", alpha)])
@@ -107,11 +112,12 @@ def moving_point(
     z_i: LawLike,
     u_j: Vec3Like,
 ) -> Joint:
-    """A point that moves in body i by laws of time is a point of body j: R_i + A_i ū_i(t) − R_j − A_j ū_j = 0.
-    [m]
+    """Holds a point that moves in body i by laws of time on a point of body j: R_i + A_i ū_i(t) − R_j − A_j
+    ū_j = 0. [m]
 
-    Removes 3 freedoms. `x_i`, `y_i`, `z_i`: ū_i(t); `u_j`: local position in body j. Lecture, "Moving Point
-    on Rigid Body". Signs: the laws are coordinates in the frame of body i.
+    Removes 3 freedoms. `x_i`, `y_i` and `z_i` are the laws of the local position ū_i(t) in body i [m].
+    `u_j` is the local position in body j [m]. Lecture, "Moving Point on Rigid Body". Signs: the laws are
+    coordinates in the frame of body i.
     """
     return joint("moving_point", [("i", "Spatial", i), ("j", "Spatial", j), ("x_i", "Law", x_i), ("y_i",
         "Law", y_i), ("z_i", "Law", z_i), ("u_j", "Vec3", u_j)])
@@ -126,34 +132,38 @@ def point_on_path(
     z_i: LawLike,
     u_j: Vec3Like,
 ) -> Joint:
-    """A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j = 0.
-    [m]
+    """Holds a point that moves along a path in body i on a point of body j: R_i + A_i ū_i(s) − R_j − A_j ū_j =
+    0. [m]
 
-    Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i`, `z_i`:
-    ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body". Signs: the laws are
-    coordinates in the frame of body i; `s` grows the way they run.
+    Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i` and `z_i` are
+    the laws of the local position ū_i(s) in body i [m]. `u_j` is the local position in body j [m]. Lecture,
+    "Moving Point on Rigid Body". Signs: the laws are coordinates in the frame of body i. `s` grows in the
+    direction of the path.
     """
     return joint("point_on_path", [("i", "Spatial", i), ("j", "Spatial", j), ("s", "Coord", s), ("x_i",
         "Law", x_i), ("y_i", "Law", y_i), ("z_i", "Law", z_i), ("u_j", "Vec3", u_j)])
 
 
 def fixed(j: SpatialLike, r: Vec3Like, p0: EulerLike) -> Joint:
-    """A body that does not move: R − r = 0 and the vector part of p0 p is zero. [m, –]
+    """Holds a body at a given pose: R − r = 0 and vec(p0 p) = 0, where vec is the vector part of the product.
+    [m, –]
 
-    Removes 6 freedoms. `r`: position; `p0`: Euler parameters. There is no second solution: a turn by 180°
-    has a vector part of length 1. Nikravesh, Computer-Aided Analysis of Mechanical Systems, section 7.2.
-    Signs: `p0` turns the global frame into the body's; p0 and −p0 are one turn.
+    Removes 6 freedoms. `r` is the global position of the origin of the body frame [m]. `p0` are the Euler
+    parameters of the orientation; p0 is their conjugate. There is no second solution, because a rotation by
+    180° has a vector part of length 1. Nikravesh, Computer-Aided Analysis of Mechanical Systems, section
+    7.2. Signs: `p0` rotates the global frame into the frame of the body. p0 and −p0 are the same rotation.
     """
     return joint("fixed", [("j", "Spatial", j), ("r", "Vec3", r), ("p0", "EulerParameters", p0)])
 
 
 def weld(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, p_ij: EulerLike) -> Joint:
-    """Rigid connection: r_Pi − r_Pj = 0 and the vector part of p_ij p_j p_i is zero. [m, –]
+    """Holds body i rigidly on body j: r_Pi − r_Pj = 0 and vec(p_ij p_j p_i) = 0, where vec is the vector part
+    of the product. [m, –]
 
-    Removes 6 freedoms. `u_i`, `u_j`: local position of P in either body; `p_ij`: Euler parameters of body i
-    as body j sees it. There is no second solution: a turn by 180° has a vector part of length 1. Nikravesh,
-    Computer-Aided Analysis of Mechanical Systems, section 7.2. Signs: `p_ij` turns the frame of j into that
-    of i.
+    Removes 6 freedoms. `u_i` and `u_j` are the local positions of a common point P in body i and body j
+    [m]. `p_ij` are the Euler parameters of body i relative to body j; is the conjugate. There is no second
+    solution, because a rotation by 180° has a vector part of length 1. Nikravesh, Computer-Aided Analysis
+    of Mechanical Systems, section 7.2. Signs: `p_ij` rotates the frame of j into the frame of i.
     """
     return joint("weld", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("p_ij", "EulerParameters", p_ij)])
@@ -167,13 +177,16 @@ def revolute(
     h_i: AxisLike,
     h_j: Vec3Like,
 ) -> Joint:
-    """Hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two dot-1). [m, –, –]
+    """Joins two bodies by a hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two dot-1). [m,
+    –, –]
 
-    Removes 5 freedoms. `u_i`, `u_j`: local position of P on the axis; `h_i`, `h_j`: the axis in either
-    body. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Haug,
-    section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j, right-
-    handed about h_j. Where it is zero is chosen by `.zero(f_i, f_j)`: where f_i of body i lies along f_j of
-    body j; unchosen these are the f that `Axis.along` gives h_i and h_j (x for z, y for x, z for y).
+    Removes 5 freedoms. `u_i` and `u_j` are the local positions of a point P of the axis in body i and body
+    j [m]. `h_i` and `h_j` are the axis in body i and body j; f_i and g_i are the directions across h_i.
+    Opposite axes satisfy the equations too, so a position found with h_i · h_j < 0 is an error. Haug,
+    section 9.4. Measure: `angle`, the angle from f_j to f_i. Signs: the angle is the rotation of i relative
+    to j, right-handed about h_j. `.zero(f_i, f_j)` sets the zero of the angle: there f_i of body i lies
+    along f_j of body j. By default f_i and f_j are the directions that `Axis.along` chooses for h_i and h_j
+    (x for z, y for x, z for y).
     """
     return joint("revolute", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -187,13 +200,14 @@ def prismatic(
     h_i: AxisLike,
     p_ij: EulerLike,
 ) -> Joint:
-    """Sliding joint: the vector part of p_ij p_j p_i is zero, and f_i · d = g_i · d = 0 (two dot-2) with d =
-    r_Pi − r_Pj. [–, m, m]
+    """Lets body i slide along an axis of body j without rotation: vec(p_ij p_j p_i) = 0 and f_i · d = g_i · d
+    = 0 (two dot-2) with d = r_Pi − r_Pj. [–, m, m]
 
-    Removes 5 freedoms. `u_i`, `u_j`: points on the slide; `h_i`: its direction in body i; `p_ij`: Euler
-    parameters of body i as body j sees it. There is no second solution. Haug, section 9.4. Measure:
-    `slide`, h_i · d. Signs: the slide grows as i moves along h_i in j; `p_ij` turns the frame of j into
-    that of i.
+    Removes 5 freedoms. vec is the vector part of a product of Euler parameters, and the conjugate. `u_i`
+    and `u_j` are points of the axis in body i and body j [m]. `h_i` is the direction of the axis in body i;
+    f_i and g_i are the directions across h_i. `p_ij` are the Euler parameters of body i relative to body j.
+    There is no second solution. Haug, section 9.4. Measure: `slide`, h_i · d. Signs: the slide grows as i
+    moves along h_i in j. `p_ij` rotates the frame of j into the frame of i.
     """
     return joint("prismatic", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("p_ij", "EulerParameters", p_ij)])
@@ -207,15 +221,16 @@ def cylindrical(
     h_i: AxisLike,
     h_j: Vec3Like,
 ) -> Joint:
-    """Cylindrical joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and f_i · d = g_i · d = 0 (two dot-2) with d =
-    r_Pi − r_Pj. [–, –, m, m]
+    """Lets body i slide along an axis of body j and rotate about it: f_i · h_j = g_i · h_j = 0 (two dot-1) and
+    f_i · d = g_i · d = 0 (two dot-2) with d = r_Pi − r_Pj. [–, –, m, m]
 
-    Removes 4 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body. These are
-    h_i × h_j = 0 and h_i × d = 0 of the lecture ("Cylindrical Joint Constraint") in the two directions
-    across h_i, which keep full rank at every pose. The equations hold for opposite axes too; a position
-    found with h_i · h_j < 0 is an error. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
-    Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of `revolute`. The
-    slide grows as i moves along h_j in j.
+    Removes 4 freedoms. `u_i` and `u_j` are points of the axis in body i and body j [m]. `h_i` and `h_j` are
+    the axis in body i and body j. The lecture ("Cylindrical Joint Constraint") writes h_i × h_j = 0 and h_i
+    × d = 0. Kin uses the components of these equations along f_i and g_i, the two directions across h_i,
+    which keep full rank at every pose. Opposite axes satisfy the equations too, so a position found with
+    h_i · h_j < 0 is an error. Measures: `angle`, the angle from f_j to f_i; `slide`, h_j · d. Signs: the
+    angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)` sets its zero, as
+    for `revolute`. The slide grows as i moves along h_j in j.
     """
     return joint("cylindrical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -229,14 +244,16 @@ def universal(
     h_i: Vec3Like,
     h_j: Vec3Like,
 ) -> Joint:
-    """Universal joint: r_Pi − r_Pj = 0 (at-point) and h_i · h_j = 0 (dot-1). [m, –]
+    """Joins two bodies by a universal joint: r_Pi − r_Pj = 0 (at-point) and h_i · h_j = 0 (dot-1). [m, –]
 
-    Removes 4 freedoms. `u_i`, `u_j`: the centre P of the cross; `h_i`, `h_j`: the bars of the cross, each
-    in the body that it turns in; their lengths scale the row. Lecture, "Universal Joint Constraint".
-    Measures: `angle_j`, the turn of the cross in body j about h_j; `angle_i`, the turn of body i on the
-    cross about h_i. Signs: both angles are right-handed about their bars, and zero where both frames have
-    the same directions: body i is turned by `angle_i` about its bar, and then with the cross by `angle_j`
-    about that of j. Bars that are not perpendicular as they are written: see `kin.Axis(h, f)`.
+    Removes 4 freedoms. `u_i` and `u_j` are the local positions of the centre P of the cross in body i and
+    body j [m]. `h_i` and `h_j` are the two bars of the cross, each in the body in which it rotates; their
+    lengths scale the row. Lecture, "Universal Joint Constraint". Measures: `angle_j`, the angle of the
+    cross relative to body j about h_j; `angle_i`, the angle of body i relative to the cross about h_i.
+    Signs: both angles are right-handed about their bars. They are zero where the axes of both frames are
+    parallel. From there body i rotates by `angle_i` about its bar, and then together with the cross by
+    `angle_j` about the bar of j. If h_i and h_j are not perpendicular in that pose, `kin.Axis(h, f)` gives
+    the reference directions.
     """
     return joint("universal", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Vec3", h_i), ("h_j", "Vec3", h_j)])
@@ -250,13 +267,14 @@ def planar(
     h_i: AxisLike,
     h_j: Vec3Like,
 ) -> Joint:
-    """Planar joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j · (r_Pi − r_Pj) = 0 (dot-2). [–, –, m]
+    """Keeps a plane of body i on a plane of body j: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j · (r_Pi −
+    r_Pj) = 0 (dot-2). [–, –, m]
 
-    Removes 3 freedoms. `u_i`, `u_j`: points of the common plane; `h_i`, `h_j`: its normal in either body.
-    The equations hold for opposite normals too; a position found with h_i · h_j < 0 is an error. Haug,
-    section 9.4. Measure: `angle`, the turn of f_i from f_j. Signs: the angle is the turn of i in j, right-
-    handed about h_j, its zero chosen as of `revolute`. The last row is positive where P_i is on the side to
-    which h_j points.
+    Removes 3 freedoms. `u_i` and `u_j` are points of the common plane in body i and body j [m]. `h_i` and
+    `h_j` are the normal of the plane in body i and body j. Opposite normals satisfy the equations too, so a
+    position found with h_i · h_j < 0 is an error. Haug, section 9.4. Measure: `angle`, the angle from f_j
+    to f_i. Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
+    sets its zero, as for `revolute`. The last row is positive where P_i is on the side to which h_j points.
     """
     return joint("planar", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("h_i", "Axis", h_i), ("h_j", "Vec3", h_j)])
@@ -271,16 +289,17 @@ def screw(
     h_j: AxisLike,
     lead: NumberLike,
 ) -> Joint:
-    """Screw: f_j · h_i = g_j · h_i = 0, f_j · d = g_j · d = 0 with d = r_Pi − r_Pj, and body i turns by 2π h_j
-    · d / lead. [–, –, m, m, rad]
+    """Joins two bodies by a screw: f_j · h_i = g_j · h_i = 0, f_j · d = g_j · d = 0 and φ − 2π h_j · d/lead =
+    0 with d = r_Pi − r_Pj. [–, –, m, m, rad]
 
-    Removes 5 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body, with f_i
-    over f_j where the points meet; `lead`: way of i along h_j per turn about h_j. The turn of f_i is taken
-    back by 2π h_j · d / lead and what is left is zero, so that any number of turns is counted without a
-    jump. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an error. Where
-    another joint holds the axes in line: `thread`. Haug, section 9.4. Measures: `angle`, the turn of f_i
-    from f_j; `slide`, h_j · d. Signs: the angle is the turn of i in j, right-handed about h_j; the slide
-    grows as i moves along h_j in j; `lead` is above zero for a right-hand thread.
+    Removes 5 freedoms. φ is the angle from f_j to f_i about h_j. `u_i` and `u_j` are points of the axis in
+    body i and body j [m]. `h_i` and `h_j` are the axis in body i and body j, with f_i along f_j where the
+    points meet. `lead` is the displacement of i along h_j for one revolution about h_j [m]. Kin rotates f_i
+    back by 2π h_j · d/lead and holds the remaining angle at zero. The joint therefore counts any number of
+    revolutions without a jump. Opposite axes satisfy the equations too, so a position found with h_i · h_j
+    < 0 is an error. If another joint holds the axes in line, use `thread`. Haug, section 9.4. Measures:
+    `angle`, φ; `slide`, h_j · d. Signs: the angle is the rotation of i relative to j, right-handed about
+    h_j. The slide grows as i moves along h_j in j. `lead` is positive for a right-hand thread.
     """
     return joint("screw", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("lead", "f64", lead)])
@@ -294,14 +313,16 @@ def constant_velocity(
     h_i: AxisLike,
     h_j: AxisLike,
 ) -> Joint:
-    """Constant-velocity joint: r_Pi − r_Pj = 0 (at-point) and f_i · g_j − g_i · f_j = 0. [m, –]
+    """Joins two shafts by a constant-velocity joint: r_Pi − r_Pj = 0 (at-point) and f_i · g_j − g_i · f_j = 0.
+    [m, –]
 
-    Removes 4 freedoms. `u_i`, `u_j`: the centre P; `h_i`, `h_j`: the shafts, with the same direction where
-    they are in line, f_i over f_j. The second equation says that i is bent against j about an axis across
-    the shafts, without twist: both turn by the same angle at every moment. It holds for shafts twisted by
-    180° too; a position found with f_i · f_j + g_i · g_j < 0 is an error. Hunt, Kinematic Geometry of
-    Mechanisms. Signs: h_i and h_j point the same way along the drive line, from one shaft to the other;
-    then both turn the same way about them.
+    Removes 4 freedoms. `u_i` and `u_j` are the local positions of the centre P in body i and body j [m].
+    `h_i` and `h_j` are the shafts; where the shafts are in line, h_i equals h_j and f_i equals f_j. The
+    second equation allows i to bend against j about an axis across the shafts, without twist. Both shafts
+    therefore rotate by the same angle at every time. Shafts twisted by 180° satisfy the equation too, so a
+    position found with f_i · f_j + g_i · g_j < 0 is an error. Hunt, Kinematic Geometry of Mechanisms.
+    Signs: h_i and h_j point in the same direction along the drive line, from one shaft to the other. Then
+    both shafts rotate in the same direction about them.
     """
     return joint("constant_velocity", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j)])
@@ -314,13 +335,14 @@ def relative_angle(
     h_i: AxisLike,
     h_j: AxisLike,
 ) -> Joint:
-    """A separate coordinate for the turn of body i in body j: the turn of f_i from f_j about h_j, taken back
-    by φ, is zero. [rad]
+    """Introduces a coordinate φ for the angle of body i relative to body j: φ_ij − φ = 0, where φ_ij is the
+    angle from f_j to f_i about h_j. [rad]
 
-    Removes 1 freedom and adds one, the coordinate `phi`, which counts any number of turns. `h_i`, `h_j`:
-    the common axis in either body, held parallel by another joint; f_i and f_j are where the angle counts
-    from. With it turns can be driven, and coupled by `coupling`. Haug, section 9.4. Signs: φ is the turn of
-    i in j, right-handed about h_j, zero where f_i lies along f_j.
+    Removes 1 freedom and adds one, the coordinate `phi`, which counts any number of revolutions. `h_i` and
+    `h_j` are the common axis in body i and body j. Another joint must hold the axes parallel. f_i and f_j
+    are the reference directions of the angle. Use the coordinate to drive a rotation, or to couple it by
+    `coupling`. Haug, section 9.4. Signs: φ is the rotation of i relative to j, right-handed about h_j. It
+    is zero where f_i lies along f_j.
     """
     return joint("relative_angle", [("i", "Spatial", i), ("j", "Spatial", j), ("phi", "Coord", phi), ("h_i",
         "Axis", h_i), ("h_j", "Axis", h_j)])
@@ -338,16 +360,18 @@ def gear(
     teeth_j: NumberLike,
     phase: NumberLike,
 ) -> Joint:
-    """Pair of gears on a frame: z_i φ_i + z_j φ_j − z_i φ0 = 0, up to whole teeth, φ the turns of the wheels
-    in the frame. [rad]
+    """Meshes two gears on a frame by their numbers of teeth: z_i φ_i + z_j φ_j − z_i φ0 = 0, up to whole
+    teeth. [rad]
 
-    Removes 1 freedom. `i`, `j`: the wheels, each with its axis `h_i`, `h_j` and the same axis in the frame,
-    `a_i`, `a_j`, held parallel by other joints; f is where a turn counts from. `teeth_i`, `teeth_j`: z,
-    whole numbers, one below zero for a ring with inner teeth; `phase`: φ0, the turn of i when that of j is
-    zero. A wheel looks the same after a whole turn, so the equation has no jump; which teeth mesh is
-    decided by the first position. By radii: `gear_by_radii`. Norton, Design of Machinery, ch. 9. Signs:
-    turns are right-handed about a_i and a_j. With axes that point out of the frame alike (from the apex of
-    bevel gears) the wheels turn against each other.
+    Removes 1 freedom. φ_i and φ_j are the angles of the wheels relative to the frame. `i` and `j` are the
+    wheels. `h_i` and `h_j` are their axes; `a_i` and `a_j` are the same axes in the frame. Other joints
+    must hold the axes parallel. f of an axis is the reference direction of its angle. `teeth_i` and
+    `teeth_j` are z_i and z_j, whole numbers; for a ring with internal teeth the number is negative. `phase`
+    is φ0, the angle of i when the angle of j is zero [rad]. The equation has no jump after a full
+    revolution, because a wheel then looks the same. The first position decides which teeth mesh. To use
+    radii instead, see `gear_by_radii`. Norton, Design of Machinery, ch. 9. Signs: angles are right-handed
+    about a_i and a_j. If both axes point out of the frame (or from the apex of bevel gears), the wheels
+    turn in opposite directions.
     """
     return joint("gear", [("i", "Spatial", i), ("j", "Spatial", j), ("frame", "Spatial", frame), ("h_i",
         "Axis", h_i), ("h_j", "Axis", h_j), ("a_i", "Axis", a_i), ("a_j", "Axis", a_j), ("teeth_i", "f64",
@@ -367,17 +391,18 @@ def gear_by_radii(
     r_j: NumberLike,
     phase: NumberLike,
 ) -> Joint:
-    """Pair of gears on a frame by their radii: the turns of the wheels in the frame, taken back by φ0 + s/r_i
-    and by −s/r_j, are zero. [rad, rad]
+    """Meshes two gears on a frame by their radii: φ_i − φ0 − s/r_i = 0 and φ_j + s/r_j = 0, where φ is the
+    angle of a wheel relative to the frame. [rad, rad]
 
-    Removes 2 freedoms and adds one, the length `s` that has rolled through the mesh: 1 in all. `i`, `j`:
-    the wheels, each with its axis `h_i`, `h_j` and the same axis in the frame, `a_i`, `a_j`, held parallel
-    by other joints; f is where a turn counts from. `r_i`, `r_j`: pitch radii (of bevel gears at the same
-    distance from the apex, of friction wheels of any ratio), one below zero for a ring with inner teeth;
-    `phase`: φ0, the turn of i when that of j is zero. `s` counts any number of turns, and can be driven.
-    Norton, Design of Machinery, ch. 9. Signs: turns are right-handed about a_i and a_j; `s` grows with the
-    turn of i. With axes that point out of the frame alike (from the apex of bevel gears) the wheels turn
-    against each other.
+    Removes 2 freedoms and adds one, the length `s` that has rolled through the mesh [m]: 1 in all. `i` and
+    `j` are the wheels. `h_i` and `h_j` are their axes; `a_i` and `a_j` are the same axes in the frame.
+    Other joints must hold the axes parallel. f of an axis is the reference direction of its angle. `r_i`
+    and `r_j` are the pitch radii [m]; for a ring with internal teeth the radius is negative. Take the radii
+    of bevel gears at the same distance from the apex. Friction wheels may have any ratio. `phase` is φ0,
+    the angle of i when the angle of j is zero [rad]. `s` counts any number of revolutions, and you can
+    drive it. Norton, Design of Machinery, ch. 9. Signs: angles are right-handed about a_i and a_j; `s`
+    grows with the angle of i. If both axes point out of the frame (or from the apex of bevel gears), the
+    wheels turn in opposite directions.
     """
     return joint("gear_by_radii", [("i", "Spatial", i), ("j", "Spatial", j), ("frame", "Spatial", frame),
         ("s", "Coord", s), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("a_i", "Axis", a_i), ("a_j", "Axis",
@@ -393,14 +418,16 @@ def thread(
     h_j: AxisLike,
     lead: NumberLike,
 ) -> Joint:
-    """Thread: the turn of f_i from f_j about h_j, taken back by 2π h_j · (r_Pi − r_Pj)/lead, is zero. [rad]
+    """Couples the rotation of body i in body j to its displacement, as a thread does: φ − 2π h_j · (r_Pi −
+    r_Pj)/lead = 0, where φ is the angle from f_j to f_i about h_j. [rad]
 
-    Removes 1 freedom: the one row that makes a `screw` of a cylindrical joint, or of a slide and a shaft
-    that other joints hold. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body, held
-    parallel by another joint, with f_i over f_j where the points meet; `lead`: way of i along h_j per turn
-    about h_j. Any number of turns is counted. Haug, section 9.4. Angle and slide are measures of the joint
-    that holds the axes. Signs: the turn is that of i in j, right-handed about h_j, the way is that of i
-    along h_j in j; `lead` is above zero for a right-hand thread.
+    Removes 1 freedom. The row turns a cylindrical joint into a `screw`. It also couples a slide to a shaft
+    that other joints hold. `u_i` and `u_j` are points of the axis in body i and body j [m]. `h_i` and `h_j`
+    are the axis in body i and body j, with f_i along f_j where the points meet. Another joint must hold the
+    axes parallel. `lead` is the displacement of i along h_j for one revolution about h_j [m]. The thread
+    counts any number of revolutions. Haug, section 9.4. The joint that holds the axes measures the angle
+    and the slide. Signs: φ is the rotation of i relative to j, right-handed about h_j. The displacement is
+    that of i along h_j in j. `lead` is positive for a right-hand thread.
     """
     return joint("thread", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j", "Vec3",
         u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("lead", "f64", lead)])
@@ -416,14 +443,15 @@ def rack_and_pinion(
     radius: NumberLike,
     phase: NumberLike,
 ) -> Joint:
-    """Rack and pinion: the turn of the pinion in the rack about h_j, taken back by φ0 − f_j · (r_Pi − r_Pj)/r,
-    is zero. [rad]
+    """Meshes a pinion with a rack: φ − φ0 + f_j · (r_Pi − r_Pj)/r = 0, where φ is the angle of the pinion
+    relative to the rack about h_j. [rad]
 
-    Removes 1 freedom. `i`: the pinion, centre `u_i`, axis `h_i`, pitch radius `radius`: r; `j`: the rack, a
-    point `u_j` of its pitch line and `h_j`, the direction of the pinion's axis with f_j along the rack
-    (`kin.Axis(h, f)`); the axes are held parallel by other joints. `phase`: φ0, the turn of f_i from f_j
-    where the centre stands over `u_j`. Haug, section 3.4, in space. Signs: the pinion is on the side of g_j
-    = h_j × f_j (a negative radius: on the other) and turns clockwise about h_j as it goes along f_j.
+    Removes 1 freedom. `i` is the pinion, `u_i` its centre [m], `h_i` its axis and `radius` its pitch radius
+    r [m]. `j` is the rack and `u_j` a point of its pitch line [m]. `h_j` is the direction of the pinion's
+    axis in the rack, with f_j along the rack (`kin.Axis(h, f)`). Other joints must hold the axes parallel.
+    `phase` is φ0, the angle from f_j to f_i where the centre is over `u_j` [rad]. Haug, section 3.4, in
+    space. Signs: the pinion is on the side of g_j = h_j × f_j; with a negative radius it is on the other
+    side. When the pinion moves along f_j, it turns clockwise about h_j.
     """
     return joint("rack_and_pinion", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("radius", "f64", radius), ("phase",
@@ -438,12 +466,13 @@ def revolute_spherical(
     h_i: Vec3Like,
     length: NumberLike,
 ) -> Joint:
-    """Link with a hinge on body i and a ball on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0 with d = r_Pj −
-    r_Pi. [m, m]
+    """Replaces a link with a hinge on body i and a ball joint on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0
+    with d = r_Pj − r_Pi. [m, m]
 
-    Removes 2 freedoms. `u_i`, `h_i`: the hinge, whose length scales the first row; `u_j`: the ball;
-    `length`: l. The ball is in the hinge's plane. Haug, section 9.4. Signs: the first row is positive where
-    the ball is on the side to which h_i points.
+    Removes 2 freedoms. `u_i` is a point of the hinge [m] and `h_i` its direction in body i; the length of
+    h_i scales the first row. `u_j` is the centre of the ball in body j [m]. `length` is l, from the hinge
+    to the ball [m]. The ball is in the plane through u_i across the hinge. Haug, section 9.4. Signs: the
+    first row is positive where the ball is on the side to which h_i points.
     """
     return joint("revolute_spherical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_i", "Vec3", h_i), ("length", "f64", length)])
@@ -459,13 +488,14 @@ def revolute_revolute(
     length: NumberLike,
     twist: NumberLike,
 ) -> Joint:
-    """Link with a hinge at either end: h_i · d = 0, h_j · d = 0, (|d|² − l²)/(2 l) = 0 and h_j · (b cos α −
-    h_i sin α) = 0, d = r_Pj − r_Pi, b = d × h_i / l. [m, m, m, –]
+    """Replaces a link with a hinge at each end: h_i · d = 0, h_j · d = 0, (|d|² − l²)/(2 l) = 0 and h_j · (b
+    cos α − h_i sin α) = 0 with d = r_Pj − r_Pi and b = d × h_i / l. [m, m, m, –]
 
-    Removes 4 freedoms. `u_i`, `h_i`, `u_j`, `h_j`: the hinges; `length`: l of the common normal; `twist`:
-    α, from h_i to h_j about d by the right-hand rule, zero for parallel hinges (Denavit and Hartenberg's
-    link). The equations hold for an opposite h_j too; a position found so is an error. Haug, section 9.4.
-    Signs: d points from i to j; `twist` is right-handed about d and turns h_i into h_j.
+    Removes 4 freedoms. `u_i`, `h_i` and `u_j`, `h_j` are a point [m] and the direction of each hinge.
+    `length` is l, the length of the common normal [m]. `twist` is α, the angle from h_i to h_j about d
+    [rad]; it is zero for parallel hinges (the link of Denavit and Hartenberg). An opposite h_j satisfies
+    the equations too, so a position found with it is an error. Haug, section 9.4. Signs: d points from i to
+    j. `twist` is right-handed about d and rotates h_i into h_j.
     """
     return joint("revolute_revolute", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("length", "f64", length),
@@ -482,13 +512,15 @@ def revolute_cylindrical(
     length: NumberLike,
     twist: NumberLike,
 ) -> Joint:
-    """Link with a hinge on body i and a sleeve on an axis of body j: h_i · d = 0, (|d|² − l²)/(2 l) = 0 and
-    h_j · (b cos α − h_i sin α) = 0, d the part of r_Pj − r_Pi across h_j, b = d × h_i / l. [m, m, –]
+    """Replaces a link with a hinge on body i and a sleeve on body j: h_i · d = 0, (|d|² − l²)/(2 l) = 0 and
+    h_j · (b cos α − h_i sin α) = 0 with b = d × h_i / l. [m, m, –]
 
-    Removes 3 freedoms. `u_i`, `h_i`: the hinge; `u_j`, `h_j`: the axis on which the sleeve turns and
-    slides; `length`: l of the common normal; `twist`: α, from h_i to h_j about d. The equations hold for an
-    opposite h_j too; a position found so is an error. Haug, section 9.4. Signs: d points from i to the axis
-    of j; `twist` is right-handed about d and turns h_i into h_j.
+    Removes 3 freedoms. d is the part of r_Pj − r_Pi across h_j. `u_i` and `h_i` are a point [m] and the
+    direction of the hinge in body i. `u_j` and `h_j` are a point [m] and the direction of the axis in body
+    j on which the sleeve rotates and slides. `length` is l, the length of the common normal [m]. `twist` is
+    α, the angle from h_i to h_j about d [rad]. An opposite h_j satisfies the equations too, so a position
+    found with it is an error. Haug, section 9.4. Signs: d points from i to the axis of j. `twist` is right-
+    handed about d and rotates h_i into h_j.
     """
     return joint("revolute_cylindrical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_i", "Axis", h_i), ("h_j", "Axis", h_j), ("length", "f64", length),
@@ -503,24 +535,27 @@ def spherical_cylindrical(
     h_j: AxisLike,
     length: NumberLike,
 ) -> Joint:
-    """Link with a ball on body i and a sleeve on an axis of body j: ((f_j · d)² + (g_j · d)² − l²)/(2 l) = 0
-    with d = r_Pi − r_Pj. [m]
+    """Keeps a point of body i at a constant distance from an axis of body j: ((f_j · d)² + (g_j · d)² − l²)/(2
+    l) = 0 with d = r_Pi − r_Pj. [m]
 
-    Removes 1 freedom. `u_i`: the ball; `u_j`, `h_j`: the axis; `length`: l. A point on a cylinder of radius
-    l. Haug, section 9.4. Signs: none; the row is positive outside of the cylinder.
+    Removes 1 freedom. The joint replaces a link with a ball joint on body i and a sleeve on body j. `u_i`
+    is the centre of the ball in body i [m]. `u_j` and `h_j` are a point [m] and the direction of the axis
+    in body j. `length` is l [m]. Use it also for a point on a cylinder of radius l. Haug, section 9.4.
+    Signs: none. The row is positive outside the cylinder.
     """
     return joint("spherical_cylindrical", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i),
         ("u_j", "Vec3", u_j), ("h_j", "Axis", h_j), ("length", "f64", length)])
 
 
 def drive_turn(i: SpatialLike, j: SpatialLike, h_i: AxisLike, h_j: AxisLike, law: LawLike) -> Joint:
-    """The turn of body i in body j follows a law of time: the turn of f_i from f_j about h_j, taken back by
-    f(t), is zero. [rad]
+    """Makes the angle of body i relative to body j follow a law of time: φ − f(t) = 0, where φ is the angle
+    from f_j to f_i about h_j. [rad]
 
-    `h_i`, `h_j`: the common axis in either body, held parallel by a joint; f_i and f_j are where the angle
-    counts from. What is measured is turned back by the law and what remains is driven to zero: any number
-    of turns, and no jump where a measured angle has its cut. Haug, section 9.5. Signs: the turn of i in j
-    is right-handed about h_j, zero where f_i lies along f_j.
+    `h_i` and `h_j` are the common axis in body i and body j. A joint must hold the axes parallel. f_i and
+    f_j are the reference directions of the angle. `law` is f [rad]. Kin rotates f_i back by the law and
+    holds the remaining angle at zero, so the law can count any number of revolutions. Haug, section 9.5.
+    Signs: the angle is the rotation of i relative to j, right-handed about h_j. It is zero where f_i lies
+    along f_j.
     """
     return joint("drive_turn", [("i", "Spatial", i), ("j", "Spatial", j), ("h_i", "Axis", h_i), ("h_j",
         "Axis", h_j), ("law", "Law", law)])
@@ -534,65 +569,70 @@ def drive_slide(
     h_j: AxisLike,
     law: LawLike,
 ) -> Joint:
-    """A slide follows a law of time: h_j · (r_Pi − r_Pj) − f(t) = 0. [m]
+    """Makes a displacement along an axis of body j follow a law of time: h_j · (r_Pi − r_Pj) − f(t) = 0. [m]
 
-    `u_i`: P_i; `u_j`: from where, `h_j`: along which direction in body j. A cylinder or a linear motor.
-    Haug, section 9.5. Signs: the slide grows as P_i moves along h_j in j.
+    `u_i` is the local position of P_i in body i [m]. `u_j` is the point P_j of body j where the
+    displacement is zero [m]. `h_j` is the direction of the axis in body j. `law` is f [m]. Use it for a
+    cylinder or a linear motor. Haug, section 9.5. Signs: the displacement grows as P_i moves along h_j in
+    j.
     """
     return joint("drive_slide", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("h_j", "Axis", h_j), ("law", "Law", law)])
 
 
 def drive_distance(i: SpatialLike, j: SpatialLike, u_i: Vec3Like, u_j: Vec3Like, law: LawLike) -> Joint:
-    """The distance of two points follows a law of time: |r_Pi − r_Pj| − f(t) = 0. [m]
+    """Makes the distance of two points follow a law of time: |r_Pi − r_Pj| − f(t) = 0. [m]
 
-    `u_i`, `u_j`: the points. The law must stay above zero: where the points meet there is no slope. A leg
-    of a Stewart platform. Haug, section 9.5. Signs: none; a distance is above zero.
+    `u_i` and `u_j` are the local positions of the points in body i and body j [m]. `law` is f [m]; it must
+    stay positive, because the distance has no derivative where the points meet. Use it for a leg of a
+    Stewart platform. Haug, section 9.5. Signs: none; a distance is positive.
     """
     return joint("drive_distance", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("law", "Law", law)])
 
 
 def drive_point(body: SpatialLike, u: Vec3Like, path_x: LawLike, path_y: LawLike, path_z: LawLike) -> Joint:
-    """A point of a body follows a path: r_P − (f1(t), f2(t), f3(t)) = 0. [m]
+    """Makes a point of a body follow a path: r_P − (f1(t), f2(t), f3(t)) = 0. [m]
 
-    `u`: local position of P. Lecture, "Driving Constraints": complex driver. Signs: the laws are global
-    coordinates.
+    `u` is the local position of P [m]. `path_x`, `path_y` and `path_z` are f1, f2 and f3 [m]. Lecture,
+    "Driving Constraints": complex driver. Signs: the laws are global coordinates.
     """
     return joint("drive_point", [("body", "Spatial", body), ("u", "Vec3", u), ("path_x", "Law", path_x),
         ("path_y", "Law", path_y), ("path_z", "Law", path_z)])
 
 
 def drive_point_along(body: SpatialLike, u: Vec3Like, n: AxisLike, law: LawLike) -> Joint:
-    """One coordinate of a point follows a law of time: n · r_P − f(t) = 0. [m]
+    """Makes one coordinate of a point follow a law of time: n · r_P − f(t) = 0. [m]
 
-    `u`: local position of P; `n`: the global direction along which it is measured. Haug, section 9.5.
-    Signs: the coordinate grows along `n`, from the global origin.
+    `u` is the local position of P [m]. `n` is the global direction of the coordinate. `law` is f [m]. Haug,
+    section 9.5. Signs: the coordinate grows along `n`, from the global origin.
     """
     return joint("drive_point_along", [("body", "Spatial", body), ("u", "Vec3", u), ("n", "Axis", n),
         ("law", "Law", law)])
 
 
 def drive_rotation(i: SpatialLike, j: SpatialLike, h_j: AxisLike, law: LawLike) -> Joint:
-    """Body i turns in body j about an axis by a law of time: the vector part of p(t) p_j p_i is zero, p(t) =
+    """Makes body i rotate relative to body j about an axis by a law of time: vec(p(t) p_j p_i) = 0 with p(t) =
     (cos f/2, h_j sin f/2). [–]
 
-    Three rows. `h_j`: the axis in body j. Any number of turns. Nikravesh, Computer-Aided Analysis of
-    Mechanical Systems, ch. 6. Signs: the turn of i in j is right-handed about h_j; at zero both frames have
-    the same directions.
+    The joint has three rows. vec is the vector part of a product of Euler parameters, and the conjugate.
+    `h_j` is the axis in body j. `law` is f [rad]; it can count any number of revolutions. Nikravesh,
+    Computer-Aided Analysis of Mechanical Systems, ch. 6. Signs: the rotation of i relative to j is right-
+    handed about h_j. At zero the axes of both frames are parallel.
     """
     return joint("drive_rotation", [("i", "Spatial", i), ("j", "Spatial", j), ("h_j", "Axis", h_j), ("law",
         "Law", law)])
 
 
 def drive_orientation(i: SpatialLike, j: SpatialLike, yaw: LawLike, pitch: LawLike, roll: LawLike) -> Joint:
-    """Body i is turned in body j by yaw, pitch and roll, laws of time: the vector part of p(t) p_j p_i is
-    zero, p = p_z(yaw) p_y(pitch) p_x(roll). [–]
+    """Makes the orientation of body i in body j follow laws of yaw, pitch and roll: vec(p(t) p_j p_i) = 0 with
+    p = p_z(yaw) p_y(pitch) p_x(roll). [–]
 
-    Three rows: an orientation path. First roll about x, then pitch about y, then yaw about z, all axes
-    those of body j; the same as yaw, pitch and roll about the axes as they move along. Any number of turns.
-    Shabana, Computational Dynamics, section 7.2. Signs: each turn is right-handed about its axis; at zero
-    both frames have the same directions.
+    The joint has three rows. vec is the vector part of a product of Euler parameters, and the conjugate.
+    The body first rolls about x, then pitches about y, then yaws about z; these are the axes of body j. The
+    result equals yaw, pitch and roll about the moving axes. `yaw`, `pitch` and `roll` are angles [rad] and
+    can count any number of revolutions. Shabana, Computational Dynamics, section 7.2. Signs: each rotation
+    is right-handed about its axis. At zero the axes of both frames are parallel.
     """
     return joint("drive_orientation", [("i", "Spatial", i), ("j", "Spatial", j), ("yaw", "Law", yaw),
         ("pitch", "Law", pitch), ("roll", "Law", roll)])
@@ -612,16 +652,17 @@ def drive_motion(
     pitch: LawLike,
     roll: LawLike,
 ) -> Joint:
-    """General motion: a frame of body i moves in a frame of body j by six laws: r_Pi − r_Pj − A_j (x, y, z)(t)
-    = 0, and the vector part of p(t) p_j p_i is zero, p = p_z(yaw) p_y(pitch) p_x(roll), A_j, p_i and p_j
-    those of the frames. [m, –]
+    """Makes a frame of body i follow six laws in a frame of body j: r_Pi − r_Pj − A_j (x, y, z)(t) = 0 and
+    vec(p(t) p_j p_i) = 0 with p = p_z(yaw) p_y(pitch) p_x(roll). [m, –]
 
-    Six rows. `u_i`, `p_i`, `u_j`, `p_j`: origin and Euler parameters of the frame in either body
-    (`kin.EulerParameters()`: the axes of the body itself). First roll about x, then pitch about y, then yaw
-    about z, all axes those of the frame in j; any number of turns. Another order of turns is this one
-    between other frames. Shabana, Computational Dynamics, section 7.2. Signs: x, y, z grow along the axes
-    of the frame in j; each turn is right-handed about its axis; at zero both frames have the same
-    directions.
+    The joint has six rows. A_j, p_i and p_j belong to the two frames; vec is the vector part of a product
+    of Euler parameters, and the conjugate. `u_i`, `p_i` and `u_j`, `p_j` are the origin [m] and the Euler
+    parameters of the frame in body i and in body j. `kin.EulerParameters()` selects the axes of the body
+    itself. `x`, `y`, `z` are displacements [m] and `yaw`, `pitch`, `roll` are angles [rad]. The frame first
+    rolls about x, then pitches about y, then yaws about z; these are the axes of the frame in j. For
+    another order of rotations choose other frames. The angles can count any number of revolutions. Shabana,
+    Computational Dynamics, section 7.2. Signs: x, y and z grow along the axes of the frame in j. Each
+    rotation is right-handed about its axis. At zero the axes of both frames are parallel.
     """
     return joint("drive_motion", [("i", "Spatial", i), ("j", "Spatial", j), ("u_i", "Vec3", u_i), ("u_j",
         "Vec3", u_j), ("p_i", "EulerParameters", p_i), ("p_j", "EulerParameters", p_j), ("x", "Law", x),

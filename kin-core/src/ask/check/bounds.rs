@@ -1,5 +1,5 @@
-//! Interval bounds, of which proofs are made, against values at points: what is not inside is
-//! wrong.
+//! Tests the interval bounds that proofs use against values at points. A value outside its bounds
+//! is an error.
 
 use super::{Disagreement, Spread, Terms};
 use crate::ask::proof::Part;
@@ -7,13 +7,13 @@ use crate::model::constraint::Constraint;
 use crate::model::law::Law;
 use crate::numbers::enclosure::{Interval, ONE, Series};
 
-/// How wide the intervals are around points.
+/// The widths of the intervals around points.
 const WIDTHS: [f64; 4] = [0.0, 1e-7, 1e-3, 0.1];
-/// How many coefficients of Taylor's formula are asked for.
+/// The number of coefficients of Taylor's formula.
 const FULL: usize = 7;
 
-/// The entries of C, C_q, C_q q̇ + C_t and Q_d that are not within their bounds over boxes around a
-/// state, and whether bounds were known over a small one.
+/// Returns the entries of C, C_q, C_q q̇ + C_t and Q_d outside their bounds over boxes around a
+/// state, and whether bounds were known over a small box.
 pub(super) fn outside(
     constraint: &dyn Constraint,
     q: &[f64],
@@ -46,7 +46,7 @@ pub(super) fn outside(
         }
         known = true;
         let mut check = |name: String, bounds: Interval, value: f64, size: f64| {
-            // what is computed at the point is off by rounding of what it is computed from
+            // The computed value at the point contains the rounding of its operands.
             let slack = 1e-12 * (1.0 + size + bounds.mag().min(1e6 * (1.0 + value.abs())));
             let difference = (bounds.lo() - value).max(value - bounds.hi());
             if value.is_finite() && difference > slack {
@@ -83,21 +83,21 @@ pub(super) fn outside(
     (all, known)
 }
 
-/// Where a law and its derivatives are not within their bounds, in words: over random intervals,
-/// from points to the whole range, at their ends and inside, and over breaks.
+/// Returns the places at which a law or a derivative is outside its bounds, in words. It tests
+/// random intervals, from points to the whole range, at their ends and inside, and over breaks.
 pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<String> {
     let mut spread = Spread(from.to_bits() ^ to.to_bits());
     let mut share = || 0.25 * (spread.next() + 2.0);
     let mut lines = Vec::new();
     for k in 0..400 {
-        // widths of all sizes, every eighth one none
+        // Widths of all magnitudes; every eighth one is zero.
         let width = if k % 8 == 0 { 0.0 } else { (to - from) * 10_f64.powf(-9.0 * share()) };
         let begin = from + (to - from - width).max(0.0) * share();
         let (begin, end) = (begin, (begin + width).max(begin));
         let Some(bounds) = law.over(&Series::variable(Interval::new(begin, end), ONE, FULL)) else {
             return lines;
         };
-        // a break is passed where it is inside by more than rounding
+        // A break counts as inside if it is inside by more than rounding.
         let beside = 1e-9 * (end - begin) + 1e-12 * (begin.abs() + end.abs());
         for found in law
             .breaks(begin + beside, end - beside)
@@ -125,7 +125,7 @@ fn not_within(law: &Law, bounds: &Series, x: f64, sizes: &[f64; 4]) -> Vec<Strin
     let factorial = [1.0, 1.0, 2.0, 6.0];
     let outside = |(order, value): (usize, f64)| {
         let known = bounds.at(order) * Interval::from(factorial[order]);
-        // beside a break the law's own rounding decides on which side it is
+        // Near a break the law's rounding decides on which side the point is.
         let slack = 1e-11 * (1.0 + sizes[order]);
         let found = value < known.lo() - slack || value > known.hi() + slack;
         found.then(|| {

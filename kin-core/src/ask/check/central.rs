@@ -6,16 +6,16 @@ use super::{DIFFERENCES_TOLERANCE, column};
 use crate::model::dual_route::Equation;
 use crate::model::terms::dual_terms;
 
-/// Central differences of the plain function: C_q and C_t from C, Q_d from C_q q̇ + C_t along the
-/// motion.
+/// Central differences of the plain function: C_q and C_t from C, and Q_d from C_q q̇ + C_t along
+/// the motion.
 pub(super) struct Central {
-    /// C by the plain function.
+    /// C from the plain function.
     pub c: DMatrix<f64>,
     pub c_q: DMatrix<f64>,
     pub c_t: DMatrix<f64>,
     pub q_d: DMatrix<f64>,
-    /// True if two step sizes agree; false beside a kink or a singularity, where central
-    /// differences say nothing.
+    /// True if two step sizes agree. False near a kink or a singularity, where central differences
+    /// are meaningless.
     pub reliable: bool,
 }
 

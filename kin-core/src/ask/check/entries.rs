@@ -1,4 +1,4 @@
-//! The entries on which routes do not agree.
+//! The entries on which routes disagree.
 
 use nalgebra::DMatrix;
 
@@ -31,7 +31,7 @@ impl Mismatch {
     }
 }
 
-/// The entries of one term that differ.
+/// Returns the entries of one term that differ.
 pub(super) fn differing(
     constraint: &dyn Constraint,
     term: &str,
@@ -64,7 +64,7 @@ pub(super) fn differing(
     all
 }
 
-/// Names of the local columns, such as `crank.theta`.
+/// Returns the names of the local columns, such as `crank.theta`.
 fn columns(constraint: &dyn Constraint) -> Vec<String> {
     let of = |argument: &crate::model::coordinates::Argument| -> Vec<String> {
         let parts: &[&str] = match argument.target {

@@ -1,17 +1,17 @@
-//! Checking a law: each derivative against central differences of the one before, and the breaks it
-//! lists against those it has.
+//! Checks a law: compares each derivative with central differences of the one before, and the
+//! listed breaks with the actual ones.
 
 use std::fmt;
 
 use crate::model::law::Law;
 
-/// Where a law's derivatives do not agree with it.
+/// The places at which a law's derivatives disagree with the law.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct LawMismatch {
-    /// Kind of the law, such as `ramp`.
+    /// The kind of the law, such as `ramp`.
     pub kind: String,
-    /// The disagreements, one a line.
+    /// The disagreements, one per line.
     pub lines: Vec<String>,
 }
 
@@ -31,18 +31,21 @@ impl fmt::Debug for LawMismatch {
 impl std::error::Error for LawMismatch {}
 
 /// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`,
-/// that its breaks are as it lists them, and that all of these lie within their interval bounds,
-/// where it knows those.
+/// and that its breaks are complete.
 ///
-/// For a test: panics with a table. [`compare_law`] returns the same as a value.
+/// It also tests that all values are within their interval bounds, if the law has bounds.
+///
+/// Use it in a test: it panics with a table. [`compare_law`] returns the table as a value.
 pub fn law(law: &Law, from: f64, to: f64) {
     if let Err(mismatch) = compare_law(law, from, to) {
         panic!("{mismatch}");
     }
 }
 
-/// Compares the derivatives of a law with central differences at 200 places between `from` and `to`
-/// and on both sides of its breaks; gives the largest relative difference.
+/// Compares the derivatives of a law with central differences and returns the largest relative
+/// difference.
+///
+/// It tests 200 places between `from` and `to`, and both sides of the breaks.
 pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     let breaks = law.breaks(from, to);
     let h = 1e-6 * (to - from);
@@ -83,19 +86,19 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     }
 }
 
-/// How far rounding moves a law and its derivatives at each of some places. Where terms cancel,
-/// rounding is all that a law has.
+/// The changes of a law and its derivatives by rounding at some places. If terms cancel, a law has
+/// only this accuracy.
 struct Noise {
     places: Vec<[f64; 4]>,
-    /// Three places of four have no more.
+    /// The changes at three of four places are at most this large.
     usual: [f64; 4],
 }
 
 impl Noise {
-    /// Units in the last place that arguments are moved by.
+    /// Shifts of the argument in units in the last place.
     const MOVED: [f64; 6] = [-11.0, -3.0, -1.0, 1.0, 4.0, 9.0];
 
-    /// The rounding of a central difference, in what was seen.
+    /// The allowed rounding of a central difference, as a multiple of the observed changes.
     const ALLOWED: f64 = 4.0;
 
     fn of(law: &Law, places: &[f64], h: f64) -> Noise {
@@ -116,8 +119,8 @@ impl Noise {
         Noise { places, usual }
     }
 
-    /// How far the law is from its tangent where the argument is moved by some units in the last
-    /// place.
+    /// Returns the distance of the law from its tangent if the argument moves by some units in the
+    /// last place.
     fn around(law: &Law, x: f64) -> [f64; 4] {
         let at = law.jet(x);
         let mut most = [0.0_f64; 4];
@@ -138,15 +141,15 @@ impl Noise {
     }
 }
 
-/// The largest of each derivative, so far as 100 places show it.
+/// Returns the largest value of each derivative at 100 places.
 fn sizes(law: &Law, from: f64, to: f64) -> [f64; 4] {
     let all = (0..=100).map(|k| law.jet(from + (to - from) * f64::from(k) / 100.0));
     let largest = all.fold([0.0_f64; 4], |m, jet| std::array::from_fn(|k| m[k].max(jet[k].abs())));
     largest.map(|size| if size > 0.0 { size } else { 1.0 })
 }
 
-/// The fault of one break, if it has one: a derivative below its order jumps, or the one of its
-/// order does not.
+/// Returns what is wrong with one break: a derivative below its order jumps, or the derivative of
+/// its order does not.
 fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option<String> {
     let before = law.jet(x - h);
     let after = law.jet(x + h);
@@ -168,7 +171,7 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
         ));
     }
     let left = (0..4).find(|&k| jump(k, &at, &after))?;
-    // At the end of its range a law is what it is before.
+    // At the end of its range a law has the derivatives of its left side.
     if law.range().is_some_and(|range| x >= range.to) && !(0..4).any(|k| jump(k, &at, &before)) {
         return None;
     }

@@ -1,4 +1,4 @@
-//! Comparison of the promises that a constraint makes about its terms with the terms themselves.
+//! Compares the promises of a constraint about its terms with the terms.
 
 use nalgebra::DMatrix;
 
@@ -6,8 +6,8 @@ use super::{Disagreement, ROUTES_TOLERANCE, column, distance};
 use crate::model::dual_route::Equation;
 use crate::model::terms::{Terms, dual_terms};
 
-/// The terms that are not what [`Facts::dependence`](crate::constraint::Facts::dependence),
-/// `constants` or `sides_of_time` promises, and how far off they are.
+/// Returns the terms that violate [`Facts::dependence`](crate::constraint::Facts::dependence),
+/// `constants` or `sides_of_time`, with their differences.
 pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],

@@ -1,4 +1,4 @@
-//! The pose to look at, and what cannot be met there.
+//! Finds the pose to examine, and the constraints that cannot be satisfied there.
 
 mod singular;
 
@@ -19,20 +19,20 @@ use crate::solve::assembly::search::{self, Found};
 use crate::solve::explain::Start;
 use crate::system::scaled::{Measures, Model, Point};
 
-/// A share of the largest residual above this takes part in what cannot be met.   \[-\]
+/// A row with a residual above this share of the largest one takes part in a contradiction. \[-\]
 const SHARE: f64 = 0.02;
 
-/// The pose to look at.
+/// The pose to examine.
 pub(super) struct Placed {
     pub q: Vec<f64>,
     pub measures: Measures,
     pub gaps: Vec<Gap>,
-    /// Changes that have been tried and close the gaps; a designer would make them first.
+    /// Tested changes that close the gaps. A designer would make these changes first.
     pub cures: Vec<Change>,
 }
 
-/// A pose of the mechanism; where there is none, one at which as few constraints as possible are
-/// open, and these as little as possible.
+/// Returns a pose of the mechanism. If there is none, returns a pose with as few open constraints
+/// as possible and the smallest possible residuals.
 pub(super) fn place(
     model: Model<'_>,
     start: Start<'_>,
@@ -71,8 +71,9 @@ fn nowhere(t: f64) -> Error {
 }
 
 impl Search<'_> {
-    /// The place found, or one beside it from which the sum of squares falls further: where bodies
-    /// are in line, or drawn one on the other, the sum can be level without being least.
+    /// Returns the given pose, or a pose nearby from which the sum of squares falls further. If
+    /// bodies are in line or drawn on one another, the sum can be stationary without being a
+    /// minimum.
     fn off_saddles(&self, found: Found) -> Found {
         const TRIES: u64 = 4;
         const BESIDE: f64 = 0.05;
@@ -103,8 +104,8 @@ impl Search<'_> {
         best
     }
 
-    /// The pose to the last digit. Where two solutions coincide C is met to rounding at half its
-    /// digits already, and the next ones decide whether the position is called singular.
+    /// Refines the pose to the last digit. Where two solutions coincide, C is zero within rounding
+    /// at half of its digits, and the next digits decide whether the position is singular.
     fn polished(&self, found: &Found) -> Vec<f64> {
         const STEPS: usize = 40;
         let model = &self.model;
@@ -140,8 +141,8 @@ impl Search<'_> {
         q
     }
 
-    /// Finds the culprit, in the order in which a designer asks: a slip of the pen, a length out of
-    /// scale, a driver, a length, a joint.
+    /// Searches the cause in the order in which a designer would: a mistake in a point, a length
+    /// out of scale, a driver, a length, a joint.
     fn suspected(&self, found: Found, drawn: Option<&[f64]>) -> Placed {
         if let Some(misfit) = self.allowance(&found) {
             return Placed { cures: vec![Change::Allow { misfit }], ..self.release(found, &[]) };
@@ -173,14 +174,13 @@ impl Search<'_> {
         let placed = self.release(found.clone(), &[]);
         let drivers_alone =
             placed.gaps.iter().all(|gap| gap.rows.iter().all(|row| self.model.drives(*row)));
-        // A run that has come so far has the lengths it needs; a driver leads it to where it cannot
-        // go.
+        // A run that has come this far has suitable lengths; a driver leads it beyond its reach.
         if drivers_alone && drawn.is_none() {
             return placed;
         }
         let mut fits = lengths::that_fit(self, &found, &part, &[], false);
         if drivers_alone {
-            // Beside the driver one length is told: the likeliest.
+            // Besides the driver the report names one length: the most likely one.
             fits.retain(|resize| !matches!(resize.of, Size::Point { .. }));
             fits.truncate(1);
         }
@@ -188,9 +188,9 @@ impl Search<'_> {
         Placed { cures, ..placed }
     }
 
-    /// The misfit that would have to be allowed of redundant equations that contradict one
-    /// another by no more than parts of ordinary accuracy do: three times their error at this pose,
-    /// because it is larger at others, to one digit.
+    /// Returns the closure error that the user would have to allow if redundant equations
+    /// contradict each other by no more than parts of ordinary accuracy. It is three times the
+    /// error at this pose, because the error is larger at others, rounded up to one digit.
     fn allowance(&self, found: &Found) -> Option<f64> {
         const ORDINARY: f64 = 1e-5;
         let shares =
@@ -213,8 +213,8 @@ impl Search<'_> {
             found = next;
         }
         if !found.met {
-            // Nothing that may be let go helps enough: what is off at the nearest place found is
-            // told all the same.
+            // No constraint that can be released helps enough. The report still names the residuals
+            // at the nearest pose.
             let rest: Vec<usize> =
                 culprits(&self.model, &found, &open).take(self.options.released.max(1)).collect();
             open.extend(rest);
@@ -224,9 +224,9 @@ impl Search<'_> {
         Placed { q: found.place.q, measures: found.measures, gaps, cures: Vec::new() }
     }
 
-    /// The constraint to let go: one of those named, else a driver, if the joints can be met
-    /// without the drivers; else the first joint without which the others can be met, or are
-    /// nearest to it.
+    /// Returns the constraint to release. It is one of the named constraints, or else a driver if
+    /// the joints alone can be satisfied, or else the first joint without which the others are
+    /// satisfied or nearest to it.
     fn most_telling(
         &self,
         found: &Found,
@@ -251,8 +251,9 @@ impl Search<'_> {
         self.best_of(found, open, &joints).or_else(|| self.best_of(found, open, &part))
     }
 
-    /// The drivers where there are several: one that holds a body in line with others takes no part
-    /// in what is missing along that line, although it is what keeps the body from giving way.
+    /// Returns the drivers if there are several. A driver that holds a body in line with others
+    /// takes no part in the residual along that line, although it prevents the body from moving
+    /// aside.
     fn in_line(&self, open: &[usize]) -> Vec<usize> {
         let model = &self.model;
         let block_of = |row: usize| model.equations.block_index(row);
@@ -263,8 +264,8 @@ impl Search<'_> {
         if (2..=TRIED).contains(&all.len()) { all } else { Vec::new() }
     }
 
-    /// The driver that asks for what cannot be: without it the rest can be met, and it had
-    /// something to drive.
+    /// Returns the driver whose value is impossible: without it the rest can be satisfied, and it
+    /// has something to drive.
     fn driver(
         &self,
         found: &Found,
@@ -289,15 +290,14 @@ impl Search<'_> {
             };
             let own: Vec<usize> = equations.blocks[block].rows().collect();
             let Some(next) = self.without(found, open, block) else { continue };
-            // Where bodies stand in line, nothing says to which side they are to give way without
-            // it.
+            // If bodies are in line, nothing determines to which side they move without the driver.
             let next = match next.met {
                 true => next,
                 false => trial.closed_beside(&next.place.q).unwrap_or(next),
             };
             if !next.met {
-                // One of several drivers too many: the joints must close without any, and leave
-                // this one something to drive.
+                // Of too many drivers one is superfluous: the joints must close without any driver
+                // and leave this one something to drive.
                 let none: Vec<usize> = without
                     .iter()
                     .copied()
@@ -330,8 +330,8 @@ impl Search<'_> {
         best
     }
 
-    /// The first of these without which the others can be met; else the one without which they are
-    /// nearest to it.
+    /// Returns the first of these constraints without which the others can be satisfied, or else
+    /// the one without which they are nearest to it.
     fn best_of(&self, found: &Found, open: &[usize], blocks: &[usize]) -> Option<(usize, Found)> {
         let mut best: Option<(usize, Found)> = None;
         for &block in blocks {
@@ -342,7 +342,7 @@ impl Search<'_> {
             if next.met && near(&self.model, found, &next, block) {
                 return Some((block, next));
             }
-            // Of two that are met the first stays: what is left of them is rounding.
+            // Of two satisfied poses the first one stays, because their residuals are rounding.
             if best.as_ref().is_none_or(|(_, best)| {
                 !best.met && (next.met || next.place.merit < best.place.merit)
             }) {
@@ -352,7 +352,8 @@ impl Search<'_> {
         best.filter(|(_, best)| best.place.merit < (1.0 - HELPS) * found.place.merit)
     }
 
-    /// The pose where one more constraint is let go, and as near to being met as the others allow.
+    /// Returns the pose with one more constraint released, as close to satisfying it as the others
+    /// allow.
     fn without(&self, found: &Found, open: &[usize], block: usize) -> Option<Found> {
         let model = self.model;
         let t = self.t;
@@ -367,20 +368,20 @@ impl Search<'_> {
     }
 }
 
-/// Constraints that are tried at most.
+/// The largest number of constraints to try.
 const TRIED: usize = 24;
 
-/// A constraint that is let go is reported only if the sum of squares loses at least this
-/// share.   \[-\]
+/// A released constraint is reported only if it reduces the sum of squares by at least this share.
+/// \[-\]
 const HELPS: f64 = 0.1;
 
-/// True if a constraint that is let go is off by no more than its share in the unmet residuals lets
-/// one expect: one that is off by more is so in another assembly, which says nothing about this
-/// one.
+/// Returns true if the residual of a released constraint is not larger than its share in the
+/// unsatisfied residuals suggests. A larger residual belongs to another assembly, which says
+/// nothing about this one.
 fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
-    /// The largest ratio to the expected error that still counts as expected.   \[-\]
+    /// The largest ratio to the expected residual. \[-\]
     const EXPECTED: f64 = 4.0;
-    // Both sizes take the same norms: those of the other place are measured around it.
+    // Both residuals use the same norms: those around the other pose.
     let size = |at: &Found| {
         let rows = model.equations.blocks[block].rows();
         rows.map(|row| (at.place.point.c[row] / found.measures.norms[row]).powi(2))
@@ -396,8 +397,8 @@ fn near(model: &Model<'_>, found: &Found, next: &Found, block: usize) -> bool {
         && size(next) <= EXPECTED * (taking_part * merit).sqrt()
 }
 
-/// The constraints that take part in what cannot be met, the first that is called superfluous
-/// first.
+/// Returns the constraints that take part in the contradiction, in the order in which the report
+/// calls them superfluous.
 fn culprits(model: &Model<'_>, found: &Found, open: &[usize]) -> impl Iterator<Item = usize> {
     let shares: Vec<f64> = found
         .place

@@ -1,4 +1,4 @@
-//! Equations that depend on one another: minimal sets, with coefficients.
+//! Finds minimal sets of equations that depend on one another, with coefficients.
 
 use crate::model::verdict::{Class, Dependency, Level, Persistence, Term};
 
@@ -7,11 +7,11 @@ use super::freedom;
 use crate::linear::{LeastSquares, Sparse};
 use crate::solve::newton::redundant::{ALLOWED, CONSISTENT};
 
-/// A coefficient below this, in units of the norms of its rows, is nothing where a gap is
-/// open.   \[-\]
+/// At an open gap a coefficient below this value, in units of the norms of its rows, counts as
+/// zero. \[-\]
 const OPEN: f64 = 1e-4;
 
-/// All dependencies at the pose.
+/// Returns all dependencies at the pose.
 pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Dependency> {
     if examined.here.dependent.is_empty() {
         return Vec::new();
@@ -51,7 +51,7 @@ fn dependency(
             .unwrap_or_default();
         Term { constraint, equation: examined.model().equations.equation(row), row, coefficient }
     };
-    // The norms of Euler parameters hold whatever the mechanism does: nobody wrote them.
+    // The norms of Euler parameters always hold, and no user wrote them.
     let told = combination.iter().filter(|(row, _)| *row == own || !examined.model().is_norm(*row));
     Dependency { class, terms: told.map(term).collect() }
 }
@@ -65,8 +65,8 @@ fn class(
     unit: f64,
 ) -> Class {
     if combination.iter().any(|(row, _)| examined.open(*row)) {
-        // A gap has a direction, and no axis needs to be along it: all equations of an open
-        // constraint are told alike.
+        // A gap has a direction, and no axis needs to be along it. So all equations of an open
+        // constraint are reported.
         return Class::Contradictory {
             level: Level::Position,
             residual: left_over(&rates.c, combination, 0.0),
@@ -103,12 +103,13 @@ fn class(
     Class::Redundant
 }
 
-/// Σ coefficient · rhs_i, zero where that is rounding of its terms or of what is usual there.
+/// Returns Σ coefficient · rhs_i, or zero if it is within rounding of its terms or of the usual
+/// size.
 fn left_over(rhs: &[f64], combination: &Sparse, size: f64) -> f64 {
     beyond(rhs, combination, size, CONSISTENT)
 }
 
-/// The same, zero where that is at most this share of its terms.
+/// Returns Σ coefficient · rhs_i, or zero if it is at most this share of its terms.
 fn beyond(rhs: &[f64], combination: &Sparse, size: f64, share: f64) -> f64 {
     let terms = || combination.iter().filter_map(|(row, z)| Some(z * rhs.get(*row)?));
     let (sum, sizes) =
@@ -116,7 +117,7 @@ fn beyond(rhs: &[f64], combination: &Sparse, size: f64, share: f64) -> f64 {
     if sum.abs() > share * sizes { sum } else { 0.0 }
 }
 
-/// C, C_t and −Q_d at the pose; what is not finite or not determined is empty.
+/// C, C_t and −Q_d at the pose. A list is empty if it is not finite or not determined.
 struct Rates {
     c: Vec<f64>,
     velocity: Vec<f64>,
@@ -138,7 +139,7 @@ impl Rates {
     }
 }
 
-/// q̇ from C_q q̇ = −C_t, in the sense of least squares.
+/// Returns q̇ from C_q q̇ = −C_t by least squares.
 fn velocities(examined: &Examined<'_>, c_t: &[f64]) -> Option<Vec<f64>> {
     let model = examined.model();
     let measures = examined.measures();

@@ -1,5 +1,5 @@
-//! Where to begin instead of at a singular position: a time, or another value for a driver, tried
-//! before it is told.
+//! Finds where to start instead of a singular position: another time, or another value of a driver.
+//! Kin tests it first.
 
 use crate::model::verdict::{Asks, Elsewhere};
 
@@ -8,13 +8,13 @@ use crate::linear::Echelon;
 use crate::solve::assembly::search;
 use crate::system::scaled::Model;
 
-/// Pivots there are this far from zero.   \[-\]
+/// The smallest pivot of a position that counts as regular. \[-\]
 const CLEAR: f64 = 1e-4;
 
-/// A time near the one examined, as soon after it as one is found, else before it; where drivers
-/// stand still, another value for one.
+/// Returns a time near the examined one, later if possible, otherwise earlier. If the drivers are
+/// at rest, it returns another value of a driver.
 pub(super) fn elsewhere(examined: &Examined<'_>) -> Option<Elsewhere> {
-    /// In units of the time in which the fastest driver moves something by one.   \[-\]
+    /// The steps, in units of the time in which the fastest driver moves something by one. \[-\]
     const STEPS: [f64; 8] = [0.01, 0.03, 0.1, 0.3, -0.01, -0.03, -0.1, -0.3];
     let model = examined.model();
     let t = examined.t;
@@ -28,13 +28,13 @@ pub(super) fn elsewhere(examined: &Examined<'_>) -> Option<Elsewhere> {
     times.into_iter().find(regular).map(Elsewhere::Time).or_else(|| other_value(examined))
 }
 
-/// A time to two digits of the step.
+/// Rounds a time to two digits of the step.
 fn rounded(t: f64, step: f64) -> f64 {
     let digit = 10.0_f64.powf(step.abs().log10().floor() - 1.0);
     if digit > 0.0 && digit.is_finite() { ((t + step) / digit).round() * digit } else { t + step }
 }
 
-/// True if C_q is far from singular at a pose.
+/// Returns true if C_q is far from singular at a pose.
 fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
     let rank = |values: &[f64]| {
         Echelon::new(model.scaled(values, &model.measure(q, t), &|_| true), model.n(), CLEAR).rank()
@@ -42,7 +42,7 @@ fn is_clear(model: &Model<'_>, q: &[f64], t: f64) -> bool {
     model.linearize(q, t).is_ok_and(|point| rank(&point.values) == model.n())
 }
 
-/// The value that a driver of one coordinate would ask for at the nearby position.
+/// Returns the value of a driver of one coordinate at a regular position nearby.
 fn other_value(examined: &Examined<'_>) -> Option<Elsewhere> {
     let model = examined.model();
     let nearby = examined.nearby?;

@@ -1,4 +1,4 @@
-//! The examination of a mechanism from pose to verdict.
+//! Examines a mechanism, from the pose to the verdict.
 
 use super::cure::change;
 use super::examined::{Examined, Side, acting};
@@ -24,8 +24,8 @@ pub(crate) fn diagnose(
     let q = &place.q;
     let measures = &place.measures;
     let point = model.linearize(q, t).map_err(|bad| model.not_finite(bad, q, t))?;
-    // The open rows are those of the reported gaps: at a smallest gap other coefficients are known
-    // to fewer digits.
+    // The open rows are those of the reported gaps. At a smallest gap other coefficients have fewer
+    // correct digits.
     let open: Vec<usize> = place.gaps.iter().flat_map(|gap| gap.rows.iter().copied()).collect();
     let walk = Walk { model: &model, measures, open: &open, without: &[], steps: options.steps };
     let orders = Orders::new(&model).after(&open, &[]);
@@ -34,7 +34,7 @@ pub(crate) fn diagnose(
     let nearby = if full { None } else { walk.nearby(q, t, options.poses, &orders) };
     let most = nearby.as_ref().filter(|nearby| nearby.ranked.rank > here.rank);
     let here = match most {
-        // Dependencies that hold at nearby poses too are reported first, those of this pose alone
+        // Dependencies that also hold at nearby poses are reported first, those of this pose alone
         // after them.
         Some(Nearby { ranked: most, .. }) => {
             let rows: Vec<usize> = most.dependent.iter().map(|(row, _)| *row).collect();
@@ -92,7 +92,7 @@ impl Examined<'_> {
         }
     }
 
-    /// The gaps, and whether they are there to stay.
+    /// Returns the gaps and marks those that exist at nearby poses too.
     fn lasting(&self, dependencies: &[Dependency]) -> Vec<Gap> {
         let lasting = |gap: &Gap| {
             let mut all =
@@ -102,8 +102,8 @@ impl Examined<'_> {
         self.gaps.iter().map(|gap| Gap { lasting: lasting(gap), ..gap.clone() }).collect()
     }
 
-    /// n less the rank of the joints, at a nearby pose where there is one; what gives to first
-    /// order only is no freedom.
+    /// Returns n minus the rank of the joints, at a nearby pose if there is one. A freedom of first
+    /// order only does not count.
     fn mobility(&self, freedoms: &[Freedom]) -> usize {
         let model = self.model();
         let (q, t) = self.nearby.map_or((self.q, self.t), |nearby| (&nearby.q, nearby.t));

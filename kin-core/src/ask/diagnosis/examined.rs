@@ -1,4 +1,4 @@
-//! All that is known of a mechanism at a pose before it is put into words.
+//! Everything that Kin knows about a mechanism at a pose, before the report.
 
 use super::generic::{Nearby, Walk};
 use super::rank::Ranked;
@@ -6,7 +6,7 @@ use crate::model::layout::Place;
 use crate::model::verdict::{Change, Gap};
 use crate::system::scaled::{Measures, Model};
 
-/// All that is known before it is put into words.
+/// Everything that Kin knows about a mechanism at a pose.
 pub(super) struct Examined<'a> {
     pub walk: Walk<'a>,
     pub q: &'a [f64],
@@ -14,14 +14,15 @@ pub(super) struct Examined<'a> {
     pub here: Ranked,
     pub nearby: Option<&'a Nearby>,
     pub gaps: &'a [Gap],
-    /// Changes that would close the gaps, tried.
+    /// Tested changes that would close the gaps.
     pub cures: &'a [Change],
-    /// The constraints that act on each body or bare coordinate, norms of Euler parameters left
-    /// out.
+    /// For each body or scalar coordinate the constraints that act on it, without norms of Euler
+    /// parameters.
     pub acting: Vec<Vec<usize>>,
 }
 
-/// The constraints that act on each body or bare coordinate, norms of Euler parameters left out.
+/// Returns for each body or scalar coordinate the constraints that act on it, without norms of
+/// Euler parameters.
 pub(super) fn acting(model: &Model<'_>) -> Vec<Vec<usize>> {
     let mut acting = vec![Vec::new(); model.layout.items.len()];
     let blocks = model.equations.blocks.iter().enumerate();
@@ -45,7 +46,7 @@ impl<'a> Examined<'a> {
         self.walk.measures
     }
 
-    /// True if an equation belongs to a constraint that cannot be met.
+    /// Returns true if an equation belongs to a constraint that cannot be satisfied.
     pub(super) fn open(&self, row: usize) -> bool {
         self.walk.open.contains(&row)
     }
@@ -54,7 +55,7 @@ impl<'a> Examined<'a> {
         self.nearby.map_or(self.here.rank, |nearby| nearby.ranked.rank.max(self.here.rank))
     }
 
-    /// True if the k-th vector of this side is one at nearby poses too.
+    /// Returns true if the k-th null vector of this side exists at nearby poses too.
     pub(super) fn persists(&self, k: usize, side: Side) -> bool {
         let lasting = match side {
             Side::Rows => self.model().m() - self.nearby_rank(),
@@ -64,7 +65,7 @@ impl<'a> Examined<'a> {
     }
 }
 
-/// Rows or columns.
+/// The side of a null vector: rows or columns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
     Rows,

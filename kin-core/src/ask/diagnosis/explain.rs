@@ -1,4 +1,4 @@
-//! The diagnosis that the error of a failed run carries.
+//! Makes the diagnosis that the error of a failed run carries.
 
 use super::{Diagnosis, diagnose};
 use crate::model::error::Error;
@@ -7,30 +7,32 @@ use crate::solve::newton::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::{Model, Work};
 
-/// Coordinates up to which a failing run is examined by itself; [`System::diagnose`] does it for
-/// any number.
+/// The largest number of coordinates for which a failed run makes a diagnosis. [`System::diagnose`]
+/// accepts any number.
 const EXAMINED: usize = 1500;
 
 /// The functions that explain a failed run by its diagnosis.
 pub(crate) const EXPLAIN: Explain = Explain { cannot_be_driven, explained };
 
-/// Values of C_q that the diagnosis of a failed run may compute and factor: some seconds' worth.
+/// The number of values of C_q that the diagnosis of a failed run may compute and factor: a few
+/// seconds of work.
 const WORK: f64 = 2e8;
 
 fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &SolverOptions) -> Error {
     let work = Work::new(WORK * options.effort);
     let found = diagnose(Model { work: Some(&work), ..model }, start, t, &options.search);
     match found {
-        // Of a search that was not brought to its end nothing is reported.
+        // An unfinished search reports nothing.
         Ok(_) if work.is_spent() => unsolved(model, start, t, None),
-        // An error never carries the verdict that there is none.
+        // An error never carries a diagnosis without a fault.
         Ok(diagnosis) if diagnosis.can_be_driven() => unsolved(model, start, t, Some(diagnosis)),
         Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
         Err(error) => error,
     }
 }
 
-/// The error of a position that the solver has not found although the diagnosis sees nothing wrong.
+/// Builds the error for a position that the solver did not find although the diagnosis sees no
+/// fault.
 fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Option<Diagnosis>) -> Error {
     let (Start::Guess(q) | Start::Pose(q)) = start;
     let c = model.linearize(q, t).map(|point| point.c).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The freedoms that are left: which bodies move, and how.
+//! Finds the remaining freedoms: which bodies move, and how.
 
 mod second_order;
 
@@ -11,16 +11,16 @@ use crate::model::layout::{Item, Kind, Place};
 use crate::model::state::SpatialState;
 use crate::numbers::algebra::Vec3;
 
-/// A share of the largest below this does not move.   \[-\]
+/// A component below this share of the largest one does not move. \[-\]
 const STILL: f64 = 1e-6;
 
-/// Freedoms beyond this many are not looked at one by one.
+/// Freedoms beyond this number are not examined one by one.
 const LOOKED_AT: usize = 24;
 
-/// Directions are kept as long as all of them together take at most so many numbers.
+/// The directions are stored as long as all of them together need at most this many numbers.
 const MOST_NUMBERS: usize = 1 << 22;
 
-/// All freedoms at the pose, with what is known of their persistence.
+/// Returns all freedoms at the pose, with their persistence.
 pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Freedom> {
     let n = examined.model().n();
     let free = &examined.here.free;
@@ -46,8 +46,8 @@ pub(super) fn all(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<F
         .collect()
 }
 
-/// True if a motion is a turn of one body, or of several as one, about a line through all points by
-/// which others hold them.
+/// Returns true if a motion is a rotation of one body, or of several together, about a line through
+/// all points at which others hold them.
 fn is_idle(examined: &Examined<'_>, items: &[usize], motions: &[BodyMotion]) -> bool {
     let [BodyMotion { how: How::Screws { point, axis, pitch, .. }, .. }] = motions else {
         return false;
@@ -91,18 +91,18 @@ fn is_idle(examined: &Examined<'_>, items: &[usize], motions: &[BodyMotion]) -> 
     holds > 1 && *pitch == 0.0
 }
 
-/// Motions that are possible to first order only.
+/// Returns the motions that are possible to first order only.
 pub(super) fn infinitesimal(examined: &Examined<'_>, persistence: &[Persistence]) -> Vec<Vec<f64>> {
     let all = persistence.iter().enumerate();
     let stiff = all.filter(|(_, persistence)| **persistence == Persistence::Infinitesimal);
     stiff.map(|(k, _)| dense(&direction(examined, k), examined.model().n())).collect()
 }
 
-/// The persistence of each freedom.
+/// Returns the persistence of each freedom.
 ///
-/// A freedom that nearby poses of higher rank leave too is one of first order at least. The
-/// second-order test shows which of these are no more than that; where it decides nothing, a step
-/// along the freedom and back onto C = 0 does.
+/// A freedom that remains at nearby poses of higher rank is at least of first order. The
+/// second-order test shows which of these freedoms are of first order only. If the test does not
+/// decide, a step along the freedom and back onto C = 0 does.
 pub(super) fn persistences(examined: &Examined<'_>) -> Vec<Persistence> {
     let free = &examined.here.free;
     let lasting: Vec<usize> =
@@ -140,7 +140,7 @@ pub(super) fn persistences(examined: &Examined<'_>) -> Vec<Persistence> {
     (0..free.len()).map(of).collect()
 }
 
-/// The k-th vector in coordinates, the largest scaled entry 1.
+/// Returns the k-th null vector in coordinates, with a largest scaled entry of 1.
 fn direction(examined: &Examined<'_>, k: usize) -> Sparse {
     let vector = &examined.here.free[k].1;
     let largest = vector.iter().fold(0.0_f64, |m, (_, x)| m.max(x.abs()));
@@ -148,8 +148,8 @@ fn direction(examined: &Examined<'_>, k: usize) -> Sparse {
     vector.iter().map(|(column, x)| (*column, x / largest * sizes[*column])).collect()
 }
 
-/// The bodies and coordinates that move, and the motion of each; bodies that move as one stand
-/// together.
+/// Returns the bodies and coordinates that move, and their motions. Bodies that move together share
+/// an entry.
 fn motions(examined: &Examined<'_>, v: &Sparse) -> (Vec<usize>, Vec<BodyMotion>) {
     let layout = examined.model().layout;
     let sizes = &examined.measures().sizes;
@@ -231,7 +231,7 @@ fn numbers(v: Vec3) -> [f64; 3] {
     [v.x, v.y, v.z]
 }
 
-/// True if two motions are one and the same.
+/// Returns true if two motions are equal.
 fn same(a: &How, b: &How, length: f64) -> bool {
     let near = |a: &[f64], b: &[f64], size: f64| {
         a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-5 * size)

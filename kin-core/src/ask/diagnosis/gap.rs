@@ -1,4 +1,5 @@
-//! Constraints that cannot be met, by how much, and the values that their drivers ask for.
+//! Reports constraints that cannot be satisfied, their residuals, and the required values of their
+//! drivers.
 
 use crate::model::verdict::{Against, Asks, Gap, Step};
 
@@ -26,21 +27,21 @@ pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts
     }
 }
 
-/// Jumps of equations beside the pose: each constraint that can jump is looked at as one of its
-/// coordinates moves a little to either side.
+/// Returns jumps of equations near the pose. It moves one coordinate of each constraint that can
+/// jump a little to either side.
 fn steps(model: &Model<'_>, found: &Found, t: f64) -> Vec<Step> {
-    /// Constraints that are looked at, at most.
+    /// The largest number of constraints to examine.
     const LOOKED_AT: usize = 8;
     let blocks = model.equations.jumping().iter().take(LOOKED_AT);
     blocks.filter_map(|block| step(model, found, t, &model.equations.blocks[*block])).collect()
 }
 
-/// The jump of one constraint, nearest to the pose.
+/// Returns the jump of one constraint nearest to the pose.
 fn step(model: &Model<'_>, found: &Found, t: f64, block: &Block) -> Option<Step> {
-    /// How far coordinates move to either side, in units of their sizes.   \[-\]
+    /// The displacements of coordinates to either side, in units of their sizes. \[-\]
     const BESIDE: [f64; 8] = [1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4];
-    /// A jump is more than so many times what slopes account for, and than this share of the
-    /// norm.   \[-\]
+    /// A jump is larger than this multiple of the change that slopes explain, and than this share
+    /// of the norm. \[-\]
     const STEEP: f64 = 30.0;
     const LEAST: f64 = 1e-6;
     let q = &found.place.q;
@@ -84,7 +85,7 @@ fn step(model: &Model<'_>, found: &Found, t: f64, block: &Block) -> Option<Step>
     None
 }
 
-/// The drivers but one.
+/// Returns all drivers except one.
 fn against(model: &Model<'_>, found: &Found, t: f64, but: &str) -> Vec<Against> {
     let drivers = model.equations.blocks.iter().filter(|block| block.drives && block.name != but);
     drivers
@@ -95,7 +96,7 @@ fn against(model: &Model<'_>, found: &Found, t: f64, but: &str) -> Vec<Against> 
         .collect()
 }
 
-/// For a driver a q_j − f(t) = 0: where the coordinate should be.
+/// For a driver a q_j − f(t) = 0: returns the required value of the coordinate.
 fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) -> Option<Asks> {
     if rows.len() != 1 || !model.drives(rows.start) {
         return None;
@@ -123,7 +124,7 @@ impl Asks {
 }
 
 impl Gap {
-    /// Notes how far angles that are asked for are from their guess.
+    /// Records the differences of required angles from their guess.
     pub(crate) fn seen_from(&mut self, layout: &Layout, guess: &[f64]) {
         let others = self.against.iter_mut().filter_map(|other| other.asks.as_mut());
         self.asks.iter_mut().chain(others).for_each(|asks| asks.seen_from(layout, guess));

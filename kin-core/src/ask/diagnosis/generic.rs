@@ -1,5 +1,5 @@
-//! Nearby poses of the same assembly: random steps along what is free, back onto C = 0, with always
-//! the same random numbers.
+//! Finds nearby poses of the same assembly: random steps along free directions and back onto C = 0.
+//! The random numbers are the same in every run.
 
 use super::nearest::nearest;
 use super::rank::{Orders, Ranked, ranked};
@@ -8,51 +8,51 @@ use crate::numbers::random::Random;
 use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};
 
-/// Steps are of this size, the next one where the one before leads nowhere; in units of the model's
-/// length and of one radian.   \[-\]
+/// The sizes of steps; if one leads nowhere, the next is tried. In units of the model's length and
+/// of a radian. \[-\]
 const REACH: [f64; 3] = [0.1, 0.03, 0.3];
 
-/// A pose that has come back to within this share of its step has not moved.   \[-\]
+/// A pose that returns to within this share of its step has not moved. \[-\]
 const MOVED: f64 = 0.3;
 
-/// A nearby pose and the rank there.
+/// A nearby pose and its rank.
 pub(super) struct Nearby {
     pub q: Vec<f64>,
     pub t: f64,
     pub ranked: Ranked,
 }
 
-/// The equations that a walk to nearby poses keeps, and how hard it tries.
+/// A walk to nearby poses: the equations that it keeps, and its effort.
 #[derive(Clone, Copy)]
 pub(super) struct Walk<'a> {
     pub model: &'a Model<'a>,
     pub measures: &'a Measures,
-    /// Equations that cannot be met; they stay as near to it as the others allow.
+    /// Equations that cannot be satisfied. They stay as close as the others allow.
     pub open: &'a [usize],
-    /// Equations that are left out.
+    /// The removed equations.
     pub without: &'a [usize],
-    /// Steps to least squares at most.
+    /// The largest number of least-squares steps.
     pub steps: usize,
 }
 
-/// Which equations are kept, and whether time goes on.
+/// The equations that a walk keeps, and whether time moves on.
 #[derive(Clone, Copy, PartialEq)]
 enum Rows {
-    /// All equations, and time goes on.
+    /// All equations, with time moving on.
     AllInTime,
-    /// All equations, while time stands still.
+    /// All equations at constant time.
     All,
-    /// Equations that do not drive.
+    /// The equations that do not drive, at constant time.
     Joints,
 }
 
 impl Walk<'_> {
-    /// The nearby pose of the highest rank of so many; `None` where the mechanism cannot move,
-    /// neither in the course of time nor with its drivers let go.
+    /// Returns the nearby pose of the highest rank. Returns `None` if the mechanism cannot move,
+    /// neither with time nor with its drivers released.
     ///
-    /// First everything moves on with time, drivers included; where that leads nowhere (drivers
-    /// that stand still or contradict one another), or where something is open (which time may
-    /// close or open further), joints alone are kept.
+    /// First everything moves on with time, including the drivers. If that leads nowhere (drivers
+    /// at rest, or contradictory ones), or if something is open (which time may close or open
+    /// further), the walk keeps only the joints.
     pub(super) fn nearby(
         &self,
         q: &[f64],
@@ -69,8 +69,8 @@ impl Walk<'_> {
         if in_time.as_ref().is_some_and(|found| found.ranked.rank == full) {
             return in_time;
         }
-        // A walk that keeps all equations may not leave a singular position: a motor in a dead
-        // centre stands still.
+        // A walk that keeps all equations may stay at a singular position: a motor at a dead centre
+        // is at rest.
         let joints = self.highest(q, t, Rows::Joints, poses, orders);
         match (in_time, joints) {
             (Some(a), Some(b)) => Some(if b.ranked.rank > a.ranked.rank { b } else { a }),
@@ -107,8 +107,8 @@ impl Walk<'_> {
         best
     }
 
-    /// Pivots below this count as zero: a smallest gap is found to half the digits of a
-    /// pose.   \[-\]
+    /// Returns the pivot below which a pivot counts as zero. A smallest gap is accurate to half of
+    /// the digits of a pose. \[-\]
     pub(super) fn least(&self) -> f64 {
         const OPEN: f64 = 1e-5;
         if self.open.is_empty() { RANK } else { OPEN }
@@ -118,8 +118,8 @@ impl Walk<'_> {
         (rows_kept != Rows::Joints || !self.model.drives(row)) && !self.without.contains(&row)
     }
 
-    /// A random direction in which nothing changes to first order, the largest share 1; `None`
-    /// where only time could go on.
+    /// Returns a random direction in which nothing changes to first order, with a largest component
+    /// of 1. Returns `None` if only time could move on.
     fn tangent(&self, q: &[f64], t: f64, rows_kept: Rows, random: &mut Random) -> Option<Vec<f64>> {
         let Walk { model, measures, .. } = *self;
         let n = model.n();
@@ -144,19 +144,19 @@ impl Walk<'_> {
             .then(|| v.iter().map(|x| x / largest).collect())
     }
 
-    /// True if the mechanism can move along v (shares of the coordinates' sizes) while time stands
-    /// still.
+    /// Returns true if the mechanism can move along v at constant time; v is in units of the
+    /// coordinates' sizes.
     pub(super) fn moves(&self, q: &[f64], t: f64, v: &[f64]) -> bool {
         REACH.iter().any(|reach| self.step((q, t), v, *reach, Rows::All).is_some())
     }
 
-    /// Where the joints alone, drivers let go, can move to along v.
+    /// Returns the pose to which the joints alone, with released drivers, can move along v.
     pub(super) fn beside(&self, q: &[f64], t: f64, v: &[f64]) -> Option<Vec<f64>> {
         let v: Vec<f64> = v.iter().copied().chain([0.0]).collect();
         REACH.iter().find_map(|reach| self.step((q, t), &v, *reach, Rows::Joints)).map(|(q, _)| q)
     }
 
-    /// A step along v and back onto C = 0; `None` where that leads back, or nowhere.
+    /// Makes a step along v and back onto C = 0. Returns `None` if that leads back or nowhere.
     fn step(
         &self,
         (q, t): (&[f64], f64),

@@ -1,14 +1,16 @@
-//! Diagnosis of a mechanism, whether something is wrong with it or not, in the user's own names.
+//! Diagnosis of a mechanism, with or without faults, in the user's names.
 //!
-//! A mechanism of n coordinates and m equations can be driven if C_q has rank n: then everything
-//! has its place, and m − n equations repeat others. [`Diagnosis`] tells the count, the rank of C_q
-//! at the pose and at poses near it in the same assembly, for each dependency between equations a
-//! minimal set of them with coefficients, for each freedom left what moves and how, and the least
-//! change that helps.
+//! A mechanism of n coordinates and m equations can be driven if C_q has rank n. Then every
+//! coordinate is determined, and m − n equations repeat others. [`Diagnosis`] contains:
 //!
-//! Ranks are taken with lengths in units of the model's own typical length and every row by its
-//! norm, so that verdicts are the same in mm, m and km. Pivots below 1e-7 of that count as zero,
-//! for the solver as for a diagnosis; [`Diagnosis::gap`] tells how clear the cut was.
+//! * the counts, and the rank of C_q at the pose and at nearby poses of the same assembly,
+//! * for each dependency between equations a minimal set of them with coefficients,
+//! * for each freedom the bodies that move, and how,
+//! * the smallest change that helps.
+//!
+//! For ranks Kin measures lengths in units of a typical length of the model and divides every row
+//! by its norm. So the diagnosis is the same in mm, m and km. Pivots below 1e-7 count as zero, for
+//! the solver and for a diagnosis; [`Diagnosis::gap`] says how clear the decision was.
 
 mod contradiction;
 mod cure;

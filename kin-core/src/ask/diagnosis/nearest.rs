@@ -1,13 +1,14 @@
-//! The pose at which equations that cannot be met are as nearly met as the others allow.
+//! Finds the pose at which equations that cannot be satisfied are as close to it as the others
+//! allow.
 
 use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};
 
-/// The pose at which these rows are as nearly met as the other active ones allow, near the one
-/// given: the rows weigh ever less against the others, and then the others are shifted by what they
-/// are still off, until they are met (method of multipliers; J. Nocedal, S. J. Wright, Numerical
-/// Optimization, section 17.3). So at the smallest gap the equations that hold it open depend on
-/// one another to half the digits at least.
+/// Returns the pose near the given one at which these rows have the smallest residuals that the
+/// other active rows allow. First the weights of the rows decrease against the others. Then the
+/// others are shifted by their remaining residuals until they are satisfied (method of multipliers;
+/// J. Nocedal, S. J. Wright, Numerical Optimization, section 17.3). At the smallest gap the
+/// equations that hold it open therefore depend on one another to at least half of the digits.
 pub(super) fn nearest(
     model: &Model<'_>,
     measures: &Measures,
@@ -17,8 +18,8 @@ pub(super) fn nearest(
     rows: &[usize],
     steps: usize,
 ) -> Vec<f64> {
-    /// Weights of the rows against the others, stage by stage, and the number of rounds of shifts
-    /// after that, each of which is worth some five digits.   \[-\]
+    /// The weights of the rows against the others, stage by stage, and the number of rounds of
+    /// shifts after that. Each round gives about five digits. \[-\]
     const WEIGHTS: [f64; 3] = [3e-1, 3e-2, 3e-3];
     const ROUNDS: usize = 3;
     let mut q = from.to_vec();

@@ -1,5 +1,5 @@
-//! An order of equations and coordinates that depends on names alone, so that what is told does not
-//! change with the order of declaration.
+//! An order of equations and coordinates by names alone, so that a report does not depend on the
+//! order of declaration.
 
 use std::cmp::Ordering;
 
@@ -7,8 +7,8 @@ use crate::model::layout::Place;
 use crate::model::units::Unit;
 use crate::system::scaled::Model;
 
-/// Rows in the order in which they are the first to be called superfluous: drivers, then joints,
-/// the last name first; the norms of Euler parameters never before anything else.
+/// Returns the rows in the order in which the report calls them superfluous: drivers, then joints,
+/// the last name first. Norms of Euler parameters come after everything else.
 pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     let key = |row: usize| {
         let (name, local, class) = match model.equations.block_of(row) {
@@ -31,9 +31,9 @@ pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
     rows
 }
 
-/// Columns in the order in which they are the first to be called free: angles, then lengths, then
-/// Euler parameters; of these the bodies that a joint holds to the ground first, where a motor is
-/// likely to stand; by name.
+/// Returns the columns in the order in which the report calls them free: angles, then lengths, then
+/// Euler parameters. Within each kind, bodies that a joint connects to the ground come first,
+/// because a motor is probable there; then names decide.
 pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     let class = |column: usize| match model.layout.units[column] {
         Unit::Radian => 0,
@@ -51,7 +51,7 @@ pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     columns
 }
 
-/// For each column, true if a joint holds its body to the ground.
+/// Returns for each column whether a joint connects its body to the ground.
 fn grounded(model: &Model<'_>) -> Vec<bool> {
     let mut grounded = vec![false; model.n()];
     for block in model.equations.blocks.iter().filter(|block| !block.drives) {
@@ -71,7 +71,7 @@ fn grounded(model: &Model<'_>) -> Vec<bool> {
     grounded
 }
 
-/// Names with numbers in them by the size of the numbers: `pin 2` before `pin 10`.
+/// Compares names, with the numbers in them by value: `pin 2` before `pin 10`.
 pub(super) fn natural(a: &str, b: &str) -> Ordering {
     let mut a = a;
     let mut b = b;

@@ -4,17 +4,17 @@ use super::order;
 use crate::linear::{Echelon, Sparse, reduced};
 use crate::system::scaled::{Measures, Model};
 
-/// Rank and null spaces at one pose, each vector with the row or column of its own.
+/// Rank and null spaces at one pose. Each null vector has a row or column that belongs to it alone.
 pub(super) struct Ranked {
     pub rank: usize,
     pub gap: f64,
-    /// y with yᵀ C_q = 0 in scaled units.
+    /// The vectors y with yᵀ C_q = 0 in scaled units, each with its row.
     pub dependent: Vec<(usize, Sparse)>,
-    /// x with C_q x = 0 in scaled units.
+    /// The vectors x with C_q x = 0 in scaled units, each with its column.
     pub free: Vec<(usize, Sparse)>,
 }
 
-/// Rows and columns in the order in which they are called superfluous or free.
+/// The order in which rows are called superfluous and columns free.
 pub(super) struct Orders {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
@@ -25,7 +25,7 @@ impl Orders {
         Orders { rows: order::of_rows(model), columns: order::of_columns(model) }
     }
 
-    /// The same with these first.
+    /// Returns the orders with these rows and columns first.
     pub(super) fn after(&self, rows: &[usize], columns: &[usize]) -> Orders {
         let first = |first: &[usize], all: &[usize]| {
             let mut is_first = vec![false; all.len()];
@@ -36,7 +36,7 @@ impl Orders {
     }
 }
 
-/// Rank at a pose, where pivots below `least` count as zero.
+/// Computes the rank at a pose, with pivots below `least` counted as zero.
 pub(super) fn ranked(
     model: &Model<'_>,
     values: &[f64],

@@ -1,4 +1,4 @@
-//! Assemblies told apart by a measure.
+//! Selects an assembly by a measure.
 
 use super::Measure;
 use crate::model::error::{Error, Result};
@@ -8,12 +8,14 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 
 impl System {
-    /// Of all assemblies at time t the one in which a measure is nearest a value:
-    /// `system.assembly_near(0.0, "elbow.angle", deg(-60.0))?`, or by any function of a motion, as
-    /// the distance of two points. Whole turns of angles do not count. It is put together by
+    /// Returns the assembly at time t in which a measure is nearest to a value:
+    /// `system.assembly_near(0.0, "elbow.angle", deg(-60.0))?`.
+    ///
+    /// The measure may be any function of a motion, such as the distance of two points. Full
+    /// revolutions of angles do not count. To use the assembly call
     /// `system.set_initial(&found.q)?`.
     ///
-    /// Errors: those of [`System::assemblies`] and [`System::measure`]; no assembly at all.
+    /// Errors: those of [`System::assemblies`] and [`System::measure`], no assembly at all.
     pub fn assembly_near(&self, t: f64, what: impl Measure, value: f64) -> Result<Assembly> {
         let mut nearest: Option<(f64, Assembly)> = None;
         for assembly in self.assemblies(t)? {
@@ -32,7 +34,8 @@ impl System {
         nearest.map(|(_, assembly)| assembly).ok_or_else(none)
     }
 
-    /// A motion of one time at a pose that meets the equations; at rest where that has no rates.
+    /// Returns a motion of one time at a pose that satisfies the equations, at rest if the
+    /// velocities do not exist.
     fn posed(&self, t: f64, q: &[f64]) -> Motion {
         let mut motion = Motion::new(self, 1);
         let still = vec![0.0; q.len()];

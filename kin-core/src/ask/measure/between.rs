@@ -1,4 +1,4 @@
-//! The pose at a time between those of a motion, on the motion's own branch.
+//! The pose at a time between those of a motion, on the motion's branch.
 
 use super::changes::Changes;
 use crate::model::error::{Error, Result};
@@ -7,15 +7,17 @@ use crate::solve::newton::Outcome;
 use crate::system::{Solution, System};
 
 impl System {
-    /// The pose at one time within a motion of this system, solved anew from between its
-    /// neighbours: a motion with that time alone, which answers every question that a motion
-    /// answers.   \[s\]
+    /// Returns the pose at one time within a motion of this system, as a motion with that time
+    /// alone. \[s\]
     ///
-    /// At a change point of the motion the pose, with its rates, is that of the branch on which the
-    /// motion goes on.
+    /// Kin solves the pose again, starting between its neighbours. The result answers every call
+    /// that a motion answers. At a change point of the motion the pose and its velocities are those
+    /// of the branch on which the motion continues.
     ///
-    /// A pose without a motion is `system.run([t])`. Errors: a time outside, a motion of another
-    /// system, those of [`System::solve_at`].
+    /// For a pose without a motion call `system.run([t])`.
+    ///
+    /// Errors: a time outside the motion, a motion of another system, those of
+    /// [`System::solve_at`].
     pub fn at(&self, motion: &Motion, t: f64) -> Result<Motion> {
         self.own_as_it_is(motion)?;
         let before = step_of(motion.times(), t).ok_or_else(|| outside(motion, t))?;
@@ -24,21 +26,20 @@ impl System {
         Ok(pose)
     }
 
-    /// The pose at t next to q, with its rates: a motion of that time alone. Preferred values do
-    /// not count.
+    /// Returns the pose at t near q with its velocities, as a motion of that time alone. Preferred
+    /// values do not count.
     pub(crate) fn next_to(&self, t: f64, q: &[f64]) -> Result<Motion> {
         self.pose_near(t, q, false)
     }
 
-    /// The same; `jerk` says whether to compute q⃛ too.
+    /// Returns the pose at t near q; `jerk` says whether to compute q⃛ too.
     pub(super) fn pose_near(&self, t: f64, q: &[f64], jerk: bool) -> Result<Motion> {
         let mut pose = Motion::new(self, 1);
         self.append_solved(t, q, jerk, &mut pose)?;
         Ok(pose)
     }
 
-    /// Appends the pose at t, which lies between time k of a motion and the next, to another
-    /// motion.
+    /// Appends the pose at t, between time k of a motion and the next, to another motion.
     pub(super) fn add_between(
         &self,
         motion: &Motion,
@@ -58,7 +59,7 @@ impl System {
         self.append_solved(t, &interpolated(motion, k, t), motion.has_jerk(), to)
     }
 
-    /// Appends the pose at t next to q.
+    /// Appends the pose at t near q.
     fn append_solved(&self, t: f64, q: &[f64], jerk: bool, to: &mut Motion) -> Result<()> {
         let Solution { q, qd, qdd, report, .. } = self.solve_at(t, q)?;
         let qddd = if jerk { self.jerk(&q, &qd, &qdd, t)? } else { Vec::new() };
@@ -74,7 +75,7 @@ impl System {
     }
 }
 
-/// Which step of the times t lies in: that from k to k + 1.
+/// Returns the step of the times that contains t: from k to k + 1.
 pub(super) fn step_of(times: &[f64], t: f64) -> Option<usize> {
     if let [only] = times {
         return (*only == t).then_some(0);
@@ -100,7 +101,7 @@ fn outside(motion: &Motion, t: f64) -> Error {
     Error::InvalidTimes { reason }
 }
 
-/// q by the polynomial of fifth degree that meets q, q̇ and q̈ at both ends of step k.
+/// Returns q from the quintic polynomial through q, q̇ and q̈ at both ends of step k.
 fn interpolated(motion: &Motion, k: usize, t: f64) -> Vec<f64> {
     let (Some(&from), Some(&to)) = (motion.times().get(k), motion.times().get(k + 1)) else {
         return motion.q(k).to_vec();
@@ -110,8 +111,8 @@ fn interpolated(motion: &Motion, k: usize, t: f64) -> Vec<f64> {
 }
 
 impl Motion {
-    /// For each coordinate the polynomial of fifth degree, c0 + c1 u + … over 0 ≤ u ≤ 1, that meets
-    /// q, q̇ and q̈ at both ends of step k.
+    /// Returns for each coordinate the quintic polynomial c0 + c1 u + … over 0 ≤ u ≤ 1 through q,
+    /// q̇ and q̈ at both ends of step k.
     pub(crate) fn quintics(&self, k: usize) -> Vec<[f64; 6]> {
         let h = self.times.get(k + 1).zip(self.times.get(k)).map_or(0.0, |(to, from)| to - from);
         let ends = [k, k + 1].map(|k| (self.q(k), self.qd(k), self.qdd(k)));
@@ -121,8 +122,8 @@ impl Motion {
     }
 }
 
-/// The polynomial of fifth degree over 0 ≤ u ≤ 1 with these values, slopes and second slopes at its
-/// ends (quintic Hermite interpolation).
+/// Returns the quintic polynomial over 0 ≤ u ≤ 1 with these values, slopes and second derivatives
+/// at its ends (quintic Hermite interpolation).
 pub(crate) fn quintic([[x0, v0, a0], [x1, v1, a1]]: [[f64; 3]; 2]) -> [f64; 6] {
     let x = x1 - (x0 + v0 + 0.5 * a0);
     let v = v1 - (v0 + a0);

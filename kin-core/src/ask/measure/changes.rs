@@ -1,5 +1,5 @@
-//! The pose of a motion at and beside its change points, where C_q is singular and no pose can be
-//! solved: by the branch on which the motion comes there, and the one on which it goes on.
+//! The pose of a motion at and near its change points, where C_q is singular and Kin cannot solve a
+//! pose. It follows from the branch on which the motion arrives and the one on which it continues.
 
 use super::fine::rows;
 use crate::model::error::Result;
@@ -9,20 +9,19 @@ use crate::solve::newton::run::Run;
 use crate::solve::newton::{Outcome, SolverOptions};
 use crate::system::System;
 
-/// Nothing moves by more than this between a change point and the poses that its branches give. A
-/// branch is of second order, so that such a pose is off by 1e-15; the error of a solved pose grows
-/// as it comes near, and is 1e-11 there.   \[-\]
+/// The largest displacement between a change point and the poses computed from its branches. A
+/// branch is of second order, so the error of such a pose is 1e-15. The error of a solved pose
+/// grows near the change point, and is 1e-11 at this distance. \[-\]
 const BESIDE: f64 = 1e-5;
 
-/// A time as near as this share of that counts as the change point itself, which is known to
-/// 1e-10.   \[-\]
+/// A time nearer than this share counts as the change point itself, which is known to 1e-10. \[-\]
 const AT: f64 = 1e-3;
 
-/// By so much something moves between a change point and the pose that tells on which branch the
-/// motion comes there.   \[-\]
+/// The displacement between a change point and the pose that shows on which branch the motion
+/// arrives. \[-\]
 const BEFORE: f64 = 1e-2;
 
-/// The same of the nearest pose of which the jerk is computed.   \[-\]
+/// The displacement to the nearest pose at which the jerk is computed. \[-\]
 const JERK: f64 = 0.02;
 
 /// The change points of a motion, in its order.
@@ -32,17 +31,18 @@ pub(super) struct Changes(Vec<Change>);
 struct Change {
     t: f64,
     q: Vec<f64>,
-    /// The branch on which the motion comes, and the one on which it goes on.
+    /// The branch on which the motion arrives, and the one on which it continues.
     before: Branch,
     after: Branch,
-    /// Nothing moves by more than [`BESIDE`] in this time.   \[s\]
+    /// The time in which nothing moves by more than [`BESIDE`]. \[s\]
     near: f64,
-    /// −1 where the motion runs backwards in time, else 1.
+    /// −1 if the motion runs backwards in time, otherwise 1.
     sense: f64,
 }
 
 impl Changes {
-    /// Those of a motion. A run in default options tells on which branch it comes to each of them.
+    /// Returns the change points of a motion. A run with default options finds out on which branch
+    /// it arrives at each of them.
     pub(super) fn of(system: &System, motion: &Motion) -> Self {
         let found = motion.singular_positions().iter();
         let bifurcations = found.filter(|found| found.kind == SingularKind::Bifurcation);
@@ -53,8 +53,8 @@ impl Changes {
         Changes(all)
     }
 
-    /// The times at which and beside which a step of the motion has to be cut, in the order of the
-    /// motion.
+    /// Returns the times at and near change points at which a step of the motion must be divided,
+    /// in the order of the motion.
     pub(super) fn cuts(&self, [from, to]: [f64; 2]) -> impl Iterator<Item = f64> {
         let within = move |t: &f64| (t - from) * (t - to) < 0.0;
         let beside =
@@ -66,7 +66,7 @@ impl Changes {
             .filter(move |t| within(t))
     }
 
-    /// Appends the pose at a time beside a change point; false if there is none near.
+    /// Appends the pose at a time near a change point. Returns false if there is none near.
     pub(super) fn add(&self, system: &System, t: f64, jerk: bool, to: &mut Motion) -> Result<bool> {
         let beside = self.0.iter().filter(|change| (t - change.t).abs() <= change.near);
         let nearest = beside.min_by(|a, b| (t - a.t).abs().total_cmp(&(t - b.t).abs()));
@@ -86,7 +86,7 @@ impl Changes {
 }
 
 impl Change {
-    /// `None` where no branch is known. `last` is the change point before it.
+    /// Returns `None` if no branch is known. `last` is the preceding change point.
     fn of(
         system: &System,
         motion: &Motion,
@@ -118,8 +118,8 @@ impl Change {
         Some(change)
     }
 
-    /// A pose of the motion before the change point, by so much time or less; `None` where it
-    /// cannot be reached from the time of the motion, or the change point, before it.
+    /// Returns a pose of the motion at most this time before the change point. Returns `None` if it
+    /// cannot be reached from the preceding time or change point.
     fn pose_before(
         &self,
         system: &System,
@@ -147,12 +147,12 @@ impl Change {
         Some(pose)
     }
 
-    /// True of a time at which the motion is still on the branch on which it comes.
+    /// Returns true for a time at which the motion is still on the branch on which it arrives.
     fn is_before(&self, t: f64) -> bool {
         self.sense * (self.t - t) > AT * self.near
     }
 
-    /// The branch of the motion at a time.
+    /// Returns the branch of the motion at a time.
     fn branch(&self, t: f64) -> &Branch {
         if self.is_before(t) { &self.before } else { &self.after }
     }
@@ -161,8 +161,8 @@ impl Change {
         moved(&self.q, self.branch(t), t - self.t)
     }
 
-    /// q⃛ at a time, from what it is at four poses on its side of the change point (cubic
-    /// extrapolation).
+    /// Returns q⃛ at a time, by cubic extrapolation from four poses on its side of the change
+    /// point.
     fn jerk(&self, system: &System, t: f64) -> Result<Vec<f64>> {
         let branch = self.branch(t);
         let step = JERK / BESIDE * self.near;
@@ -178,7 +178,7 @@ impl Change {
     }
 }
 
-/// q, q̇ and q̈ a time h after q on a branch.
+/// Returns q, q̇ and q̈ on a branch, a time h after q.
 fn moved(q: &[f64], Branch { qd, qdd }: &Branch, h: f64) -> [Vec<f64>; 3] {
     let each = q.iter().zip(qd.iter().zip(qdd));
     let there = each.map(|(q, (qd, qdd))| q + h * (qd + 0.5 * h * qdd)).collect();

@@ -1,4 +1,4 @@
-//! How near a mechanism is to a singular position along a motion.
+//! The distance of a mechanism from a singular position along a motion.
 
 use nalgebra::DMatrix;
 
@@ -7,9 +7,11 @@ use crate::solve::motion::{Motion, Series};
 use crate::system::System;
 
 impl System {
-    /// The 2-norm condition number of C_q at each time of a motion of this system, rows and columns
-    /// measured as the solver does, so that it does not depend on units; estimated from below,
-    /// seldom by more than 2. Infinite where C_q is singular.   \[-\]
+    /// Returns the 2-norm condition number of C_q at each time of a motion of this system. \[-\]
+    ///
+    /// Rows and columns are scaled as in the solver, so the number does not depend on units. It is
+    /// an estimate from below, rarely by more than a factor of 2. It is infinite where C_q is
+    /// singular.
     ///
     /// Errors: a motion of another system.
     pub fn condition(&self, motion: &Motion) -> Result<Series> {
@@ -19,9 +21,11 @@ impl System {
         Ok(Series::new("condition number", "-", motion.clock(), values))
     }
 
-    /// The smallest singular value of C_q at each time of a motion of this system, measured as in
-    /// [`System::condition`]: how near the mechanism is to a singular position; estimated from
-    /// above, seldom by more than 2. Zero where C_q is singular.   \[-\]
+    /// Returns the smallest singular value of C_q at each time of a motion of this system, scaled
+    /// as in [`System::condition`]. \[-\]
+    ///
+    /// It shows how close the mechanism is to a singular position. It is an estimate from above,
+    /// rarely by more than a factor of 2. It is zero where C_q is singular.
     ///
     /// Errors: a motion of another system.
     pub fn smallest_singular_value(&self, motion: &Motion) -> Result<Series> {
@@ -37,7 +41,7 @@ impl System {
         Ok(if condition.is_finite() { condition } else { f64::INFINITY })
     }
 
-    /// The largest and the smallest singular value.
+    /// Returns the largest and the smallest singular value.
     fn singular_values_at(&self, q: &[f64], t: f64) -> Result<[f64; 2]> {
         if self.is_redundant() {
             return Ok(self.singular_values_of_all_rows(self.jacobian(q, t)?, q, t));
@@ -46,7 +50,7 @@ impl System {
         Ok(if linear.factor() { linear.singular_values() } else { [1.0, 0.0] })
     }
 
-    /// The same where there are more rows than columns.
+    /// Returns the singular values if there are more rows than columns.
     fn singular_values_of_all_rows(&self, mut c_q: DMatrix<f64>, q: &[f64], t: f64) -> [f64; 2] {
         let measures = self.model().measure(q, t);
         c_q.column_iter_mut().zip(&measures.sizes).for_each(|(mut column, size)| column *= *size);

@@ -6,18 +6,18 @@ use crate::model::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// A motion whose first and last value and rate differ by less than this share of the largest comes
-/// back to its start; values that differ by less are one dead centre, and a smaller rate at an end
-/// is none.   \[-\]
+/// The relative difference that counts as rounding. A motion whose first and last value and
+/// derivative differ by less returns to its start; values that differ by less are one dead centre;
+/// a smaller derivative at an end is zero. \[-\]
 const CLOSED: f64 = 1e-9;
 
-/// A place where a measure turns round, or the end of a run where it is largest or smallest.
+/// A time at which a measure has an extreme: it changes direction there, or the run ends there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Extreme {
-    /// When.   \[s\]
+    /// The time. \[s\]
     pub t: f64,
-    /// Its value there, in its own unit.
+    /// The value, in the unit of the measure.
     pub value: f64,
     /// True for a maximum, false for a minimum.
     pub is_max: bool,
@@ -29,46 +29,49 @@ pub struct Extremes {
     name: String,
     unit: String,
     all: Vec<Extreme>,
-    /// Time and value at the first time and at the last.
+    /// The time and value at the first time and at the last time.
     ends: [(f64, f64); 2],
-    /// True of an end at which the measure rests.
+    /// For each end whether the measure rests there.
     rests: [bool; 2],
     closed: bool,
-    /// The word for the unit of time.
+    /// The name of the unit of time.
     time_unit: String,
 }
 
-/// Two times of an extreme are one within this share of the motion's span: an extreme that was
-/// written down has lost some digits.   \[-\]
+/// Two times of an extreme coincide within this share of the motion's span, because a written time
+/// has lost some digits. \[-\]
 const SAME_TIME: f64 = 1e-9;
 
 impl Extreme {
-    /// A maximum that was found before, by its time and value. What takes an extreme, such as
-    /// [`crate::design::Sensitivities::extreme`], finds it on the motion by its time and kind.
+    /// Returns a maximum found before, from its time and value.
+    ///
+    /// Calls that accept an extreme, such as [`crate::design::Sensitivities::extreme`], find it on
+    /// the motion by its time and kind.
     pub fn maximum(t: f64, value: f64) -> Extreme {
         Extreme { t, value, is_max: true }
     }
 
-    /// The same of a minimum.
+    /// Returns a minimum found before, from its time and value.
     pub fn minimum(t: f64, value: f64) -> Extreme {
         Extreme { t, value, is_max: false }
     }
 }
 
 impl System {
-    /// Where a measure of a motion turns round, its rate being zero, with times and values as exact
-    /// as poses can be solved. Of an output these are its dead centres:
-    /// `system.extremes(&motion, rocker.theta())?`.
+    /// Returns the extremes of a measure over a motion, where its derivative is zero. Times and
+    /// values are as exact as solved poses.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be
-    /// coarse: where its times do not show all that happens between them (a law that goes out and
-    /// comes back, a crank that turns several times), Kin solves poses in between, until quintic
-    /// polynomials through neighbouring poses follow the motion. Wiggles of less than a millionth
-    /// of what the measure moves may be missed. Where the measure rests before it turns round, the
-    /// extreme is at the beginning of the rest.
+    /// For an output link these are its dead centres: `system.extremes(&motion, rocker.theta())?`.
+    /// The argument `what` is a name, a coordinate or a function of a motion ([`Measure`]).
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than
-    /// can be followed.
+    /// The grid may be coarse. If its times do not show everything between them (a law that
+    /// returns, a crank with several revolutions), Kin solves more poses until quintic polynomials
+    /// through neighbouring poses follow the motion. It can miss oscillations below a millionth of
+    /// the measure's range. If the measure rests before it changes direction, the extreme is at the
+    /// beginning of the rest.
+    ///
+    /// Errors: those of [`System::measure`] and [`System::at`], more events between two times than
+    /// Kin can follow.
     pub fn extremes(&self, motion: &Motion, what: impl Measure) -> Result<Extremes> {
         self.own_as_it_is(motion)?;
         let fine = self.fine(motion, Some(&what))?;
@@ -99,52 +102,51 @@ impl System {
 }
 
 impl Extremes {
-    /// Name of the measure.
+    /// Returns the name of the measure.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its unit.
+    /// Returns the unit of the measure.
     pub fn unit(&self) -> &str {
         &self.unit
     }
 
-    /// All of them in the order of the motion.
+    /// Returns all extremes in the order of the motion.
     pub fn all(&self) -> &[Extreme] {
         &self.all
     }
 
-    /// The largest value of the motion, be it where the measure turns round or at an end of the
-    /// run.
+    /// Returns the largest value of the motion, at an extreme or at an end of the run.
     pub fn max(&self) -> Extreme {
         self.best(true, |value, other| value > other)
     }
 
-    /// The smallest value of the motion, be it where the measure turns round or at an end of the
-    /// run.
+    /// Returns the smallest value of the motion, at an extreme or at an end of the run.
     pub fn min(&self) -> Extreme {
         self.best(false, |value, other| value < other)
     }
 
-    /// Largest less smallest value: the stroke of a slider, the swing of a rocker.
+    /// Returns the largest minus the smallest value: the stroke of a slider, the swing of a rocker.
     pub fn stroke(&self) -> f64 {
         self.max().value - self.min().value
     }
 
-    /// The time of the slower stroke over the time of the quicker one, over one whole cycle: at
-    /// least 1; `None` where the run shows no whole cycle.   \[-\]
+    /// Returns the time of the slower stroke divided by that of the quicker one, over one full
+    /// cycle. \[-\]
     ///
-    /// One stroke leads from the largest to the smallest value, the other one back, each to where
-    /// the value is reached first; a rest belongs to the stroke that follows it. A whole cycle is
-    /// there where the run reaches the largest, the smallest and the largest value again (or the
-    /// smallest, the largest, the smallest), an end at which the measure rests counting too, or
-    /// where the run comes back to its start in value and rate. Of several cycles the first whole
-    /// one counts.
+    /// The ratio is at least 1. It is `None` if the run contains no full cycle. One stroke leads
+    /// from the largest to the smallest value, the other one back; each ends where it first reaches
+    /// the value. A rest belongs to the stroke that follows it.
+    ///
+    /// The run contains a full cycle in two cases. It reaches the largest, the smallest and the
+    /// largest value again, or the reverse; an end at which the measure rests counts too. Or the
+    /// run returns to its start in value and derivative. Of several cycles the first one counts.
     pub fn time_ratio(&self) -> Option<f64> {
         let [(from, _), (to, _)] = self.ends;
         let centres = self.dead_centres();
         let strokes = match centres[..] {
-            // The value of the first centre may have been reached before the run began.
+            // The run may begin after the value of the first dead centre.
             [_, a, b, c, ..] | [a, b, c] => [(b.t - a.t).abs(), (c.t - b.t).abs()],
             [a, b] if self.closed => {
                 let one = (b.t - a.t).abs();
@@ -156,8 +158,8 @@ impl Extremes {
         Some(one.max(other) / one.min(other)).filter(|ratio| ratio.is_finite())
     }
 
-    /// The largest and the smallest value by turns, each where it is reached first after the other
-    /// one.
+    /// Returns the largest and the smallest value alternately, each where it is first reached after
+    /// the other.
     fn dead_centres(&self) -> Vec<Extreme> {
         let max = self.max().value;
         let min = self.min().value;
@@ -176,9 +178,9 @@ impl Extremes {
         found
     }
 
-    /// The one of these that has the time of an extreme, the largest and the smallest value at an
-    /// end of the run included, and true if the measure turns round there. Errors: there is none of
-    /// its kind at that time.
+    /// Returns the extreme at the time of a given one, and true if the measure changes direction
+    /// there. The largest and the smallest value at the ends of the run are included. Errors: there
+    /// is no extreme of this kind at that time.
     pub(crate) fn find(&self, extreme: &Extreme) -> Result<(Extreme, bool)> {
         let Extreme { t, is_max, .. } = *extreme;
         let best = if is_max { self.max() } else { self.min() };
@@ -205,7 +207,7 @@ impl Extremes {
         })
     }
 
-    /// The one that no other is better than.
+    /// Returns the extreme such that no other is better.
     fn best(&self, is_max: bool, better: impl Fn(f64, f64) -> bool) -> Extreme {
         let [first, last] = self.ends.map(|(t, value)| Extreme { t, value, is_max });
         let extremes = self.all.iter().map(|extreme| Extreme { is_max, ..*extreme });

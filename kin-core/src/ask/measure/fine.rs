@@ -1,13 +1,16 @@
-//! A motion with as many times as its path needs: between two of them all coordinates, and the
-//! measure, follow the quintics through values, velocities and accelerations at both ends.
+//! A refined motion. Between two of its times all coordinates, and the measure, follow the quintics
+//! through values, velocities and accelerations at both ends.
 //!
-//! A grid of times may be coarse. What happens between two of its times shows in three ways.
-//! *Time*: laws and other functions of time are known by their bounds and breaks ([`clock`]).
-//! *Profiles*: laws of coordinates are compared with quintics over the stretch that their argument
-//! moves through. *Path*: the pose in the middle of a step is compared with the quintics, in value
-//! and rate, and no body turns by more than [`REACH`]. A step that fails is halved. Where the times
-//! of the grid themselves show all of it, which a fine grid does, no pose is solved. A step is cut
-//! at a change point, where a motion may turn into another branch.
+//! A grid of times may be coarse. Kin detects what happens between two of its times in three ways:
+//!
+//! * *Time*: the bounds and breaks of laws and other functions of time ([`clock`]).
+//! * *Profiles*: laws of coordinates are compared with quintics over the range of their argument.
+//! * *Path*: the pose in the middle of a step is compared with the quintics, in value and velocity,
+//!   and no body may rotate by more than [`REACH`].
+//!
+//! Kin halves a step that fails. If the times of the grid already show everything, as in a fine
+//! grid, Kin solves no pose. It divides a step at a change point, where a motion may change to
+//! another branch.
 
 pub(super) mod clock;
 pub(super) mod quintic;
@@ -25,38 +28,38 @@ use crate::system::System;
 use clock::Clock;
 use quintic::Quintic;
 
-/// Quintics may miss by this share of how far a coordinate, or the measure, moves in the whole
-/// motion, and rates over a step by so many times that.   \[-\]
+/// The permitted error of a quintic, as a share of the range of a coordinate or measure over the
+/// whole motion. Velocities times the length of the step may have [`RATES`] times this error. \[-\]
 const MISS: f64 = 1e-6;
 const RATES: f64 = 30.0;
 
-/// The same of a law of a coordinate, beside what the law changes.   \[-\]
+/// The permitted error for a law of a coordinate, as a share of the change of the law. \[-\]
 const PROFILE: f64 = 1e-5;
 
-/// A number that moves by less than this share of its largest value stands still.   \[-\]
+/// A number that moves by less than this share of its largest value is constant. \[-\]
 const STILL: f64 = 1e-9;
 
-/// Values are known to this share of their characteristic size: what misses by less has not
-/// moved.   \[-\]
+/// The accuracy of values as a share of their characteristic size. A smaller error is no motion.
+/// \[-\]
 const ROUNDING: f64 = 1e-11;
 
-/// No step is cut into parts shorter than this share of it.   \[-\]
+/// The shortest part of a step, as a share of the step. \[-\]
 const SHORTEST: f64 = 1e-7;
 
-/// Times that are added at most.
+/// The largest number of added times.
 const MOST: usize = 100_000;
 const TOO_MANY: &str = "what happens between two times of the motion would need a hundred thousand times more to be followed: run it at times that are nearer to one another";
 
-/// A motion with as many times more as show all that happens between its own.
+/// A motion with enough additional times to show everything between its times.
 pub(super) struct Fine {
     pub motion: Motion,
     pub changes: Changes,
 }
 
 impl System {
-    /// The motion with as many times more as show all that happens between its own.
+    /// Adds times to a motion until they show everything between its times.
     ///
-    /// Errors: those of the measure and of a run; too many times.
+    /// Errors: those of the measure and of a run, too many times.
     pub(super) fn fine(&self, motion: &Motion, what: Option<&dyn Measure>) -> Result<Fine> {
         let options = SolverOptions::new().jerk(motion.has_jerk());
         let mut refining = Refining::new(self, motion, what, &options)?;
@@ -71,7 +74,7 @@ impl System {
     }
 }
 
-/// A motion on its way to be refined.
+/// A motion that is being refined.
 struct Refining<'a> {
     system: &'a System,
     motion: &'a Motion,
@@ -81,9 +84,9 @@ struct Refining<'a> {
     run: Run<'a>,
     clock: Clock<'a>,
     changes: Changes,
-    /// How far each coordinate moves, and at last the measure.
+    /// The range of each coordinate; the last entry is that of the measure.
     sizes: Vec<f64>,
-    /// By how much rounding may move each of them.
+    /// The rounding error of each coordinate; the last entry is that of the measure.
     rounding: Vec<f64>,
     profiles: Vec<Profile>,
     added: usize,
@@ -101,7 +104,7 @@ fn between_kinks(motion: &Motion, [begin, end]: [f64; 2]) -> Vec<f64> {
 /// A law of a coordinate.
 struct Profile {
     block: usize,
-    /// Which of the laws of the block, and by how much it changes.
+    /// The index of the law in its constraint. `size` is the change of the law over the motion.
     number: usize,
     size: f64,
 }
@@ -134,7 +137,7 @@ impl<'a> Refining<'a> {
         Ok(refining)
     }
 
-    /// x, ẋ and ẍ of a coordinate, or of the measure, at a time of the motion.
+    /// Returns x, ẋ and ẍ of a coordinate, or of the measure, at a time of the motion.
     fn on_grid(&self, k: usize, j: usize) -> [f64; 3] {
         orders(self.motion, self.grid.as_ref(), k, j)
     }
@@ -163,7 +166,7 @@ impl<'a> Refining<'a> {
         self.fill(&from, &next, shortest, fine)
     }
 
-    /// True if the times of the motion beside a step show that quintics follow it.
+    /// Returns true if the neighbouring times show that quintics follow the motion in a step.
     fn is_seen(&self, k: usize) -> bool {
         let times = self.motion.times();
         if !self.is_short(self.motion, [k, k + 1]) {
@@ -177,7 +180,7 @@ impl<'a> Refining<'a> {
         fits(k) || k.checked_sub(1).is_some_and(fits)
     }
 
-    /// Appends what is needed between two poses, and the later one.
+    /// Appends the necessary times between two poses, and the later pose.
     fn fill(&mut self, from: &Motion, to: &Motion, shortest: f64, fine: &mut Motion) -> Result<()> {
         let a = from.times()[0];
         let b = to.times()[0];
@@ -190,7 +193,7 @@ impl<'a> Refining<'a> {
         if self.added > MOST {
             return Err(too_many(self.motion, a));
         }
-        // A pose in the middle may be singular, one beside it is not.
+        // A pose in the middle may be singular; the next candidates are beside it.
         let places = [0.5, 0.461, 0.573].map(|share| a + share * (b - a));
         let middle = match self.between(from, to, places[0]) {
             Ok(middle) => middle,
@@ -215,7 +218,7 @@ impl<'a> Refining<'a> {
         self.fill(&middle, to, shortest, fine)
     }
 
-    /// True if the pose at the time in the middle is where quintics through the others lead.
+    /// Returns true if the pose at the middle time agrees with the quintics through the others.
     fn fits(&self, [a, middle, b]: [f64; 3], at: &dyn Fn(usize, usize) -> [f64; 3]) -> bool {
         self.sizes.iter().zip(&self.rounding).enumerate().all(|(j, (size, rounding))| {
             let curve = Quintic::between([a, b], [at(0, j), at(2, j)]);
@@ -224,15 +227,15 @@ impl<'a> Refining<'a> {
             let value = curve.at(u);
             let slope = curve.slope(u);
             let allowed = (MISS * size).max(*rounding);
-            // A number that is none cannot be followed better.
+            // A NaN cannot be improved by more times.
             let off = |miss: f64, allowed: f64| miss > allowed;
             !off((value - x).abs(), allowed)
                 && !off((slope - (b - a) * rate).abs(), RATES * allowed)
         })
     }
 
-    /// True if nothing turns far between two times of a motion, and laws of coordinates are
-    /// followed there.
+    /// Returns true if no body rotates far between two times, and quintics follow the laws of
+    /// coordinates there.
     fn is_short(&self, motion: &Motion, [k, next]: [usize; 2]) -> bool {
         let h = motion.times()[next] - motion.times()[k];
         let units = &self.system.layout().units;
@@ -256,7 +259,7 @@ impl<'a> Refining<'a> {
         })
     }
 
-    /// The pose at a time between two poses, on their branch.
+    /// Returns the pose at a time between two poses, on their branch.
     fn between(&mut self, from: &Motion, to: &Motion, t: f64) -> Result<Motion> {
         let mut pose = Motion::new(self.system, 1);
         if self.changes.add(self.system, t, from.has_jerk(), &mut pose)? {
@@ -275,7 +278,7 @@ impl<'a> Refining<'a> {
     }
 }
 
-/// By how much rounding may move each coordinate, and at last the measure of them.
+/// Returns the rounding error of each coordinate, and at the end that of the measure.
 fn rounding(system: &System, motion: &Motion) -> Vec<f64> {
     if motion.is_empty() {
         return vec![0.0; system.n_coordinates() + 1];
@@ -285,7 +288,7 @@ fn rounding(system: &System, motion: &Motion) -> Vec<f64> {
     sizes.into_iter().chain([largest]).map(|size| ROUNDING * size).collect()
 }
 
-/// The laws whose arguments move with coordinates.
+/// Returns the laws whose arguments depend on coordinates.
 fn profiles(system: &System, motion: &Motion) -> Vec<Profile> {
     let Some(last) = motion.len().checked_sub(1) else { return Vec::new() };
     let t = motion.times()[0];
@@ -318,7 +321,7 @@ fn profiles(system: &System, motion: &Motion) -> Vec<Profile> {
     found
 }
 
-/// Those laws with their arguments at a time of a motion.
+/// Returns these laws with their arguments at a time of a motion.
 fn arguments(system: &System, motion: &Motion, k: usize, profiles: &[Profile]) -> Vec<(Law, f64)> {
     let equations = system.equations();
     let instant = equations.instant_at(motion.times()[k], motion.q(k));
@@ -336,12 +339,12 @@ fn arguments(system: &System, motion: &Motion, k: usize, profiles: &[Profile]) -
     all
 }
 
-/// Places between 0 and 1 that follow no pattern (multiples of the golden ratio).
+/// Returns irregular places between 0 and 1 (multiples of the golden ratio).
 fn places(count: usize) -> impl Iterator<Item = f64> {
     (1..=count).map(|k| (k as f64 * 0.618_033_988_749_894_9).fract())
 }
 
-/// How far a number moves; never zero, so that rounding does not count.
+/// Returns the range of a number. It is never zero, so rounding does not count.
 fn size(all: impl Iterator<Item = f64>) -> f64 {
     let mut low = f64::INFINITY;
     let mut high = f64::NEG_INFINITY;
@@ -349,7 +352,7 @@ fn size(all: impl Iterator<Item = f64>) -> f64 {
     (high - low).max(STILL * low.abs().max(high.abs())).max(f64::MIN_POSITIVE)
 }
 
-/// x, ẋ and ẍ of coordinate j, or of the measure.
+/// Returns x, ẋ and ẍ of coordinate j, or of the measure.
 fn orders(motion: &Motion, asked: Option<&Quantity>, k: usize, j: usize) -> [f64; 3] {
     match (motion.q(k).get(j), asked) {
         (Some(q), _) => [*q, motion.qd(k)[j], motion.qdd(k)[j]],
@@ -361,7 +364,7 @@ fn orders(motion: &Motion, asked: Option<&Quantity>, k: usize, j: usize) -> [f64
     }
 }
 
-/// Some times of a motion alone.
+/// Returns a motion with only these times.
 pub(super) fn rows(system: &System, motion: &Motion, range: std::ops::Range<usize>) -> Motion {
     let mut found = Motion::new(system, range.len());
     for k in range {

@@ -7,7 +7,7 @@ use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 use crate::system::measures::MeasurePlace;
 
-/// The measure or coordinate of that name.
+/// Returns the measure or coordinate with this name.
 pub(super) fn named(system: &System, motion: &Motion, name: &str) -> Result<Quantity> {
     match system.place_of(name) {
         Some(place) => quantity(system, motion, name, place),
@@ -15,7 +15,7 @@ pub(super) fn named(system: &System, motion: &Motion, name: &str) -> Result<Quan
     }
 }
 
-/// The measure over time, with its rates.
+/// Returns the measure over time, with its derivatives.
 fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -> Result<Quantity> {
     let equations = system.equations();
     let block = &equations.blocks[place.block];
@@ -47,7 +47,7 @@ fn quantity(system: &System, motion: &Motion, name: &str, place: MeasurePlace) -
     ))
 }
 
-/// x a step h later, from the rates at both ends.
+/// Extrapolates x by a step h, from the derivatives at both ends.
 fn continued(from: [f64; 4], to: [f64; 4], h: f64) -> f64 {
     from[0] + 0.5 * h * (from[1] + to[1]) + h * h / 12.0 * (from[2] - to[2])
 }

@@ -1,5 +1,5 @@
-//! Kinks of equations that a run passes: where a condition of an `if` changes, and where `abs`,
-//! `max` and `min` take their other side.
+//! Finds the kinks of equations that a run passes: the condition of an `if` changes, or `abs`,
+//! `max` or `min` changes its side.
 
 use kin_graph::{Formula, Function, Function2, Node, Op, Results, evaluate};
 
@@ -13,32 +13,32 @@ use crate::solve::newton::{Engine, SolverOptions};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Each step of a motion is looked at in so many places. Between two of them a switch may leave its
-/// side and come back: Kin finds that where its margin has one smallest value in between.
+/// The number of places examined in each step of a motion. Kin does not see a condition that holds
+/// for less than that and not at the ends.
 const PLACES: usize = 4;
 
 /// Slopes of margins are measured over this share of a step.   \[-\]
 const SLOPE: f64 = 1e-4;
 
-/// A margin whose smallest value, by the cubic through both ends, is above this share of the smaller
-/// one at the ends does not reach zero.   \[-\]
+/// A margin whose smallest value, by the cubic through both ends, is above this share of the
+/// smaller one at the ends does not reach zero.   \[-\]
 const CLEAR: f64 = 0.5;
 
 /// Positions may be off by this share of the largest coordinate of their unit.   \[-\]
 const ROUNDING: f64 = 1e-13;
 
 impl System {
-    /// Tells the motion of each kink that it passes.
+    /// Adds an event to the motion for each kink that it passes.
     pub(crate) fn note_kinks(&self, motion: &mut Motion) {
         if self.switching().is_empty() {
             return;
         }
-        // Where the motion cannot be followed more finely, its own times tell what they can.
+        // If the motion cannot be refined, its times must suffice.
         let fine = self.fine(motion, None).map_or_else(|_| motion.clone(), |fine| fine.motion);
         self.note_kinks_along(&fine, motion);
     }
 
-    /// The same of kinks that another motion passes between its times, along quintics.
+    /// Adds the kinks that another motion passes between its times, along quintics.
     pub(crate) fn note_kinks_along(&self, along: &Motion, motion: &mut Motion) {
         for &block in self.switching() {
             let block = &self.equations().blocks[block];
@@ -61,20 +61,19 @@ struct Watched<'a> {
     outside: Outside<'a>,
 }
 
-/// The part of a switch at a position.
+/// The side of a switch at a position.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Side {
-    /// It has no part in the rows.
+    /// The rows do not depend on the switch.
     Unread,
-    /// It is on its kink, as nearly as rounding of the position lets one tell.
+    /// The switch is on its kink, within rounding of the position.
     OnKink,
     Known(bool),
 }
 
 impl Watched<'_> {
-    /// The kinks that the motion passes. A switch counts as on another side where it is clear of
-    /// its kink by more than rounding of the position, so that a motion at rest on a kink passes
-    /// none.
+    /// Returns the kinks that the motion passes. A switch changes its side only if it is clear of
+    /// its kink by more than rounding of the position. So a motion at rest on a kink passes none.
     fn events(&self, motion: &Motion) -> Vec<Event> {
         let local = self.local(motion);
         let radii = radii(motion);
@@ -90,7 +89,7 @@ impl Watched<'_> {
         let times = motion.times();
         let by_steps = SolverOptions::new().engine(Engine::StepByStep);
         let Some(&first) = times.first() else { return all };
-        // The last side that each switch was known to be on.
+        // The last known side of each switch.
         let mut last: Vec<Option<bool>> = at(motion.q(0), first).into_iter().map(known).collect();
         for k in 0..times.len().saturating_sub(1) {
             let quintics = motion.quintics(k);
@@ -105,7 +104,7 @@ impl Watched<'_> {
                     from + u * (to - from),
                 )
             };
-            // Interpolated positions may pass a kink that the motion does not.
+            // Interpolated positions can pass a kink that the motion does not pass.
             let solved = |u: f64| {
                 let t = from + u * (to - from);
                 if u == 1.0 {
@@ -164,8 +163,8 @@ impl Watched<'_> {
         all
     }
 
-    /// The columns of the equation from all coordinates, and how far each may be off; the ground's
-    /// are what they are.
+    /// Returns the columns of the equation from all coordinates, with their rounding errors. Those
+    /// of the ground are exact.
     fn local(&self, motion: &Motion) -> impl Fn(&[f64], &[f64]) -> Vec<[f64; 2]> + use<> {
         let arguments = self.block.constraint.arguments();
         let instant = self.system.equations().instant_at(0.0, motion.q(0));
@@ -215,7 +214,7 @@ impl Watched<'_> {
         )
     }
 
-    /// The side of each switch at columns that may be off by so much.
+    /// Returns the side of each switch, for columns with these rounding errors.
     fn sides(&self, switches: &[Node], columns: &[[f64; 2]], t: f64) -> Vec<Side> {
         let graph = &self.formula.graph;
         let rows = &self.formula.rows;
@@ -244,7 +243,8 @@ impl Watched<'_> {
         switches.iter().map(side).collect()
     }
 
-    /// The side of a switch that is read. Where no bounds are known the numbers alone tell.
+    /// Returns the side of a switch on which the rows depend. If no bounds are known, the numbers
+    /// alone decide.
     fn side(&self, node: Node, results: &Results<f64>, bounds: &Results<Series>) -> Side {
         let of = |node: Node| results.number(node).unwrap_or(f64::NAN);
         let range = |node: Node| bounds.number(node).map_or(UNKNOWN.value(), |x| x.all_values());
@@ -266,7 +266,7 @@ impl Watched<'_> {
         }
     }
 
-    /// True if rounding of the position decides a condition.
+    /// Returns true if rounding of the position decides a condition.
     fn is_on_an_edge(&self, condition: Node, bounds: &Results<Series>) -> bool {
         let graph = &self.formula.graph;
         let open = bounds.condition(condition).is_none_or(|known| !known.never && !known.always);
@@ -303,7 +303,7 @@ impl Watched<'_> {
     }
 }
 
-/// The side, where it is known.
+/// Returns the side, if it is known.
 fn known(side: Side) -> Option<bool> {
     match side {
         Side::Known(side) => Some(side),
@@ -311,8 +311,8 @@ fn known(side: Side) -> Option<bool> {
     }
 }
 
-/// How far each coordinate of a motion may be off by rounding: a share of the largest one of its
-/// unit.
+/// Returns the rounding error of each coordinate of a motion: a share of the largest coordinate of
+/// its unit.
 fn radii(motion: &Motion) -> Vec<f64> {
     let units = motion.units();
     let n = units.len();

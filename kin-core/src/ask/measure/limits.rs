@@ -1,4 +1,4 @@
-//! Limits of joints and ends of slots: a run tells by events when it passes them.
+//! Limits of joints and ends of slots: a run reports an event when it passes one.
 
 use super::roots::{Root, Search, Zero};
 use crate::model::error::Result;
@@ -9,7 +9,7 @@ use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 
 impl System {
-    /// Takes the limits that were asked for. Errors: a name that nothing has.
+    /// Stores the limits of the user. Errors: a name that nothing has.
     pub(crate) fn set_limits(&mut self, limits: Vec<Limit>) -> Result<()> {
         if let Some(limit) = limits.iter().find(|limit| !self.is_measure(&limit.name)) {
             return Err(self.no_measure(&limit.name));
@@ -18,7 +18,7 @@ impl System {
         Ok(())
     }
 
-    /// The limits that were asked for, and the ends that joints have of themselves.
+    /// Returns the limits of the user and the ends of slots.
     fn all_limits(&self) -> Vec<Limit> {
         let mut all = self.limits.clone();
         for (joint, constraint) in self.constraints() {
@@ -33,8 +33,8 @@ impl System {
         all
     }
 
-    /// Tells the motion of each limit that it passes. A limit that cannot be evaluated is an event
-    /// too: a run does not fail for it.
+    /// Adds an event to the motion for each limit that it passes. A limit that cannot be evaluated
+    /// becomes an event too, so that the run does not fail.
     pub(crate) fn note_limits(&self, motion: &mut Motion) {
         for limit in self.all_limits() {
             let events = events(self, motion, &limit).unwrap_or_else(|error| {
@@ -76,7 +76,7 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
                 ),
             ));
         }
-        // Most motions keep within: one look at the grid is enough unless it comes near.
+        // Most motions stay within the limits: the grid suffices, unless it comes close to one.
         if end.is_infinite() || !comes_near(grid.values(), end) {
             continue;
         }
@@ -90,7 +90,8 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
     Ok(all)
 }
 
-/// True if an end lies within the values, or beyond them by no more than they change in a step.
+/// Returns true if an end is within the range of the values, or beyond it by at most their change
+/// in a step.
 fn comes_near(values: &[f64], end: f64) -> bool {
     let (low, high) =
         values.iter().fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(*x), high.max(*x)));

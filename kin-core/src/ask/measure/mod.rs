@@ -1,9 +1,7 @@
-//! Answers that people want of a mechanism: measures of its joints, extremes and crossings with
-//! their exact times, limits.
+//! Results of a motion: measures of joints, extremes and crossings with their exact times, limits.
 //!
-//! Anything that is one number over time can be asked: by name, by coordinate, or by a function of
-//! a motion. Times between those of the grid are found by solving the pose there, not by
-//! interpolation.
+//! A measure is any number over time: a name, a coordinate, or a function of a motion. For a time
+//! between those of the grid Kin solves the pose; it does not interpolate.
 
 mod assemblies;
 mod between;
@@ -29,19 +27,21 @@ use crate::model::layout::Place;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// One number over time that can be asked of a motion: a name (`"slot.slide"` of a joint,
-/// `"crank.theta"` of a coordinate; a `String` too), a coordinate (`crank.theta()`), or a function
-/// such as `|m: &Motion| m.transmission_angle(coupler, rocker)`.
+/// A number over time that a motion determines.
+///
+/// It is a name (`"slot.slide"` of a joint, `"crank.theta"` of a coordinate; also a `String`), a
+/// coordinate (`crank.theta()`), or a function such as `|m: &Motion| m.transmission_angle(coupler,
+/// rocker)`.
 pub trait Measure {
-    /// The measure over the times of a motion of the system, with its rates.
+    /// Returns the measure over the times of a motion of the system, with its derivatives.
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity>;
 
-    /// Its name, where it is asked by one.
+    /// Returns the name of the measure, if the measure is given by a name.
     fn name(&self) -> Option<&str> {
         None
     }
 
-    /// The place among [`System::coordinate_names`] of the coordinate that it is, where it is one.
+    /// Returns the index in [`System::coordinate_names`], if the measure is a coordinate.
     fn coordinate(&self, system: &System) -> Option<usize> {
         let name = self.name()?;
         system.coordinate_names().iter().position(|known| known == name)
@@ -98,14 +98,16 @@ impl<F: Fn(&Motion) -> Result<Quantity>> Measure for F {
 }
 
 impl System {
-    /// One number over the times of a motion of this system, with its rates: a measure of a joint
-    /// or a coordinate by name (`"slot.slide"`, `"crank.theta"`), a coordinate, a function of the
-    /// motion.
+    /// Returns a measure over the times of a motion of this system, with its derivatives.
     ///
-    /// Angles of joints are counted over any number of turns, from −π to π at the first time; for
-    /// that the grid must not be so coarse that a rate changes by a turn a step.
+    /// The argument `what` is the name of a measure of a joint or of a coordinate (`"slot.slide"`,
+    /// `"crank.theta"`), a coordinate, or a function of a motion.
     ///
-    /// Errors: a name that nothing has, with what can be asked; a motion of another system.
+    /// Angles of joints start between −π and π and count any number of revolutions. For this the
+    /// grid must be fine enough: an angular velocity may not change by a revolution per step within
+    /// a step.
+    ///
+    /// Errors: a name that nothing has, with the available names; a motion of another system.
     pub fn measure(&self, motion: &Motion, what: impl Measure) -> Result<Quantity> {
         self.own(motion)?;
         what.of(self, motion)

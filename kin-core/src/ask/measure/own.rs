@@ -1,15 +1,15 @@
-//! Motions belong to the system that they are asked of, as it is now.
+//! Checks that a motion belongs to the present system.
 
 use crate::model::error::{Error, OtherMotion, Result};
 use crate::solve::motion::Motion;
 use crate::system::{System, scale};
 
-/// An equation that is further off than this share of its terms, and twice what it was when the
-/// motion was computed, is one of another system.   \[-\]
+/// An equation with a residual above this share of its terms, and twice the residual of the run,
+/// belongs to another system. \[-\]
 const OFF: f64 = 1e-8;
 
 impl System {
-    /// An error unless the motion is one of this system.
+    /// Returns an error unless the motion belongs to this system.
     pub(crate) fn own(&self, motion: &Motion) -> Result<()> {
         let expected = self.n_coordinates();
         let found = motion.names().len();
@@ -23,8 +23,8 @@ impl System {
         }
     }
 
-    /// An error unless the motion is one of this system as it is now: its first, middle and last
-    /// times are looked at.
+    /// Returns an error unless the motion belongs to this system as it is now. The check evaluates
+    /// its first, middle and last time.
     pub(crate) fn own_as_it_is(&self, motion: &Motion) -> Result<()> {
         self.own(motion)?;
         let last = motion.len().saturating_sub(1);
@@ -34,12 +34,13 @@ impl System {
             .try_for_each(|k| self.holds(motion, k))
     }
 
-    /// An error where C = 0 does not hold at a time of the motion as far as it was told to.
+    /// Returns an error if C = 0 does not hold at a time of the motion as well as the motion
+    /// claims.
     fn holds(&self, motion: &Motion, k: usize) -> Result<()> {
         let t = motion.times()[k];
         let q = motion.q(k);
         let told = 2.0 * motion.residuals()[k];
-        // Another error tells where C or C_q is not finite.
+        // Another error reports C or C_q that is not finite.
         let Ok(point) = self.model().linearize(q, t) else { return Ok(()) };
         let equations = self.equations();
         let sizes = scale::sizes(self.layout(), equations, &point.values, (q, t), self.links());

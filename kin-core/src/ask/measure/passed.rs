@@ -4,14 +4,17 @@ use super::Crossing;
 use crate::model::motion::Series;
 
 impl Series {
-    /// The times at which it passes a value, by straight lines between its times: where a drive
-    /// begins to hold back, or a pin to be lifted. Of what can be measured
-    /// [`crate::System::crossings`] is exact. A value that is reached and left to the same side is
-    /// not passed.
+    /// Returns the times at which the series passes a value, by linear interpolation between its
+    /// times.
+    ///
+    /// Use it for the time at which a drive begins to brake, or at which a pin lifts. For measures
+    /// [`crate::System::crossings`] is exact. If the series reaches the value and returns to the
+    /// same side, it does not pass the value.
     pub fn crossings(&self, value: f64) -> Vec<Crossing> {
         let times = self.times();
         let mut all = Vec::new();
-        // The last time with a value off the level; between it and the next one may be some on it.
+        // The last time with a value off the level. Between it and the next one, values on the
+        // level may follow.
         let mut last: Option<(usize, f64)> = None;
         for (k, off) in self.values().iter().map(|x| x - value).enumerate().take(times.len()) {
             if off == 0.0 || off.is_nan() {

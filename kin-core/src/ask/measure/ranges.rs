@@ -1,29 +1,31 @@
-//! Laws that a run evaluates beyond their tables: a run reports it by events. A law that holds its
-//! last value, such as a sequence that comes to rest, is meant to do so and is not reported.
+//! Reports an event when a run evaluates a law beyond its table. A law that holds its last value,
+//! such as a sequence that comes to rest, is not reported.
 
 use crate::model::law::LawRange;
 use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 
-/// Arguments beyond a range by no more than this share of it are at its end: times are
-/// rounded.   \[-\]
+/// Arguments beyond a range by at most this share of it are at its end, because times are rounded.
+/// \[-\]
 const AT_END: f64 = 1e-9;
 
 /// The argument of a law with a table.
 struct Asked {
     block: usize,
-    /// Which of the block's questions.
+    /// The index of the law in its constraint.
     number: usize,
     law: String,
     range: LawRange,
-    /// The time before, and the argument there.
+    /// The preceding time, and the argument there.
     before: Option<(f64, f64)>,
-    /// When the argument first was outside, and how far out it has been at its farthest.
+    /// For each end, the time at which the argument first left the range, and the largest distance
+    /// since.
     left: [Option<(f64, f64)>; 2],
 }
 
 impl System {
-    /// Tells the motion of each law that is evaluated beyond its table, once for either end.
+    /// Adds an event to the motion for each law that is evaluated beyond its table, once for each
+    /// end.
     pub(crate) fn note_ranges(&self, motion: &mut Motion) {
         let mut all = self.laws_with_tables();
         if all.is_empty() {
@@ -52,8 +54,7 @@ impl System {
     fn laws_with_tables(&self) -> Vec<Asked> {
         let equations = self.equations();
         let mut all = Vec::new();
-        // The laws are shown wherever the bodies are: no position is needed to see which have
-        // tables.
+        // The laws do not depend on the pose, so no position is needed to see which have tables.
         let instant = equations.instant();
         for (block, found) in equations.blocks.iter().enumerate() {
             let mut number = 0;
@@ -75,7 +76,7 @@ impl System {
 }
 
 impl Asked {
-    /// Looks at the argument at the next time.
+    /// Examines the argument at the next time.
     fn look(&mut self, t: f64, x: f64) {
         let LawRange { from, to, .. } = self.range;
         let finite = |x: f64| if x.is_finite() { x.abs() } else { 0.0 };
@@ -85,7 +86,7 @@ impl Asked {
             if !outside[side] {
                 continue;
             }
-            // Between two times the argument is taken as a straight line, which that of time is.
+            // Between two times the argument counts as linear, which is exact for time itself.
             let at = |(t0, x0): (f64, f64)| t0 + (end - x0) / (x - x0) * (t - t0);
             let inside = |(_, x0): &(f64, f64)| if side == 0 { *x0 >= end } else { *x0 <= end };
             let left = self.before.filter(inside).map_or(t, at);

@@ -1,5 +1,5 @@
-//! Where a measure, or its rate, is zero between the times of a motion: safeguarded Newton steps on
-//! poses that are solved anew.
+//! Finds the zeros of a measure or of its derivative between the times of a motion, by safeguarded
+//! Newton steps on solved poses.
 
 use super::Measure;
 use super::between::step_of;
@@ -10,11 +10,11 @@ use crate::model::error::Result;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// Numbers below this share of the largest are zero but for rounding.   \[-\]
+/// Numbers below this share of the largest one are zero within rounding. \[-\]
 const ROUNDING: f64 = 1e-13;
 
-/// A quintic that comes to zero as near as this share of its size may stand for a function that
-/// crosses it.   \[-\]
+/// A quintic that comes closer to zero than this share of its size may represent a function that
+/// crosses zero. \[-\]
 const NEAR: f64 = 1e-5;
 
 /// A zero at which a function rises by less than this share, over the steps beside it, is
@@ -24,24 +24,24 @@ const FLAT: f64 = 1e-4;
 /// Steps of one search: Newton takes a handful, halving at most about sixty.
 const STEPS: usize = 100;
 
-/// A quantity passes a value.
+/// A time at which a quantity passes a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Crossing {
-    /// When.   \[s\]
+    /// The time. \[s\]
     pub t: f64,
-    /// True if x is below the value before and above it after.
+    /// True if x is below the value before this time and above it after.
     pub rises: bool,
 }
 
-/// The function whose zeros are searched: x less a level, or ẋ.
+/// The function whose zeros are searched: x minus a level, or ẋ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Zero {
     Value(f64),
     Rate,
 }
 
-/// A zero: the time, x and ẋ there, and whether what is zero grows from below to above in time.
+/// A zero: the time, x and ẋ there, and whether the function grows with time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Root {
     pub t: f64,
@@ -52,16 +52,16 @@ pub(super) struct Root {
 /// A measure of a motion, on the grid and between its times.
 pub(super) struct Search<'a, M> {
     system: &'a System,
-    /// The motion with as many times as show all that happens between those of the grid.
+    /// The motion with enough times to show everything between those of the grid.
     fine: &'a Fine,
     what: &'a M,
     pub grid: Quantity,
     zero: Zero,
-    /// Numbers below this are zero.
+    /// Numbers below this value count as zero.
     small: f64,
 }
 
-/// One end of an interval: the time, what is to be zero there, its derivative, and x, ẋ, ẍ.
+/// An end of an interval: the time, the function there, its derivative, and x, ẋ, ẍ.
 #[derive(Clone, Copy)]
 struct End {
     t: f64,
@@ -71,7 +71,7 @@ struct End {
 }
 
 impl<'a, M: Measure> Search<'a, M> {
-    /// Between the times of a motion that [`System::fine`] has made.
+    /// Creates a search between the times of a motion that [`System::fine`] has refined.
     pub(super) fn new(system: &'a System, fine: &'a Fine, what: &'a M, zero: Zero) -> Result<Self> {
         let grid = what.of(system, &fine.motion)?;
         let [x, rates, ..] = grid.orders();
@@ -83,8 +83,8 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok(Search { system, fine, what, grid, zero, small })
     }
 
-    /// All zeros in the order of the motion. Of a rest only the first time is told, and only where
-    /// the sign differs on either side.
+    /// Returns all zeros in the order of the motion. A rest counts once, at its first time, and
+    /// only if the sign differs on its two sides.
     pub(super) fn all(&self) -> Result<Vec<Root>> {
         let mut roots = Vec::new();
         let mut last: Option<(usize, End)> = None;
@@ -105,7 +105,7 @@ impl<'a, M: Measure> Search<'a, M> {
                     let (first, x) = self.seam(from.t, next)?.unwrap_or(first);
                     roots.push(self.found_at(first, from, x));
                 }
-                // Also beside a time of the grid at which it is zero.
+                // Zeros next to a time of the grid that is a zero count too.
                 Some((_, from)) => self.within(from, end, &mut roots)?,
                 None => {}
             }
@@ -128,8 +128,8 @@ impl<'a, M: Measure> Search<'a, M> {
         }
     }
 
-    /// x, ẋ and ẍ at a time between those of the grid. Turns are counted on from the time of the
-    /// grid before it.
+    /// Returns x, ẋ and ẍ at a time between those of the grid. Revolutions count from the preceding
+    /// time of the grid.
     fn between(&self, t: f64) -> Result<[f64; 3]> {
         let Fine { motion, changes } = self.fine;
         let k = step_of(motion.times(), t).unwrap_or(0);
@@ -144,9 +144,9 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok([last(x) + turned, last(rate), last(second)])
     }
 
-    /// All zeros between two times, neither of which is one. Where the quintic through both ends
-    /// has more of them than the signs there tell, or comes near one, the poses at which it turns
-    /// round are solved.
+    /// Finds all zeros between two times that are no zeros themselves. If the quintic through both
+    /// ends has more zeros than the signs show, or comes close to one, Kin solves the poses at its
+    /// extremes.
     fn within(&self, from: End, to: End, roots: &mut Vec<Root>) -> Result<()> {
         let level = match self.zero {
             Zero::Value(level) => Some(level),
@@ -175,7 +175,7 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok(())
     }
 
-    /// The zero between two times with different signs.
+    /// Returns the zero between two times with different signs.
     fn root(&self, from: End, to: End) -> Result<Root> {
         let mut low = from.t;
         let mut high = to.t;
@@ -222,29 +222,29 @@ impl<'a, M: Measure> Search<'a, M> {
         Ok(None)
     }
 
-    /// A zero at time t, where `from` lies before it in the order of the motion.
+    /// Returns the zero at time t, where `from` precedes it in the order of the motion.
     fn found_at(&self, t: f64, from: End, x: f64) -> Root {
         Root { t, x, rises: from.f.is_sign_negative() == (t - from.t).is_sign_positive() }
     }
 }
 
-/// True if a zero between two ends is flat: beside it f is lost in rounding, so that no search comes
-/// nearer.
+/// True if a zero between two ends is flat: beside it f is lost in rounding, so that no search
+/// comes nearer.
 fn is_flat(zero: End, from: End, to: End) -> bool {
     let rise = zero.slope * (to.t - from.t);
     rise.abs() <= FLAT * from.f.abs().max(to.f.abs())
 }
 
 impl System {
-    /// The times at which a measure of a motion passes a value, as exactly as poses can be solved,
-    /// in the order of the motion.
+    /// Returns the times at which a measure of a motion passes a value, in the order of the motion.
+    /// They are as exact as solved poses.
     ///
-    /// `what` is a name, a coordinate or a function of a motion ([`Measure`]). The grid may be
-    /// coarse: where its times do not show all that happens between them, Kin solves poses in
-    /// between (see [`System::extremes`]).
+    /// The argument `what` is a name, a coordinate or a function of a motion ([`Measure`]). The
+    /// grid may be coarse: if its times do not show everything between them, Kin solves more poses
+    /// (see [`System::extremes`]).
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`]; more happens between two times than
-    /// can be followed.
+    /// Errors: those of [`System::measure`] and [`System::at`], more events between two times than
+    /// Kin can follow.
     pub fn crossings(
         &self,
         motion: &Motion,

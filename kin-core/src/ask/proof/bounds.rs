@@ -1,4 +1,4 @@
-//! C and C_q of a whole system over boxes and intervals of time.
+//! Bounds of C and C_q of a whole system over boxes and intervals of time.
 
 use kin_graph::{Formula, Input, Results, evaluate, evaluate_along};
 
@@ -12,23 +12,23 @@ use crate::numbers::enclosure::series::Series;
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// An equation of which no bounds are known over a box, and the expression that makes it so.
+/// An equation without known bounds over a box, and the expression that is responsible.
 #[derive(Clone, Debug)]
 pub(crate) struct Unknown {
     pub(crate) row: usize,
     pub(crate) expression: Option<(String, Option<Source>)>,
 }
 
-/// The equations of a system, to be asked for bounds.
+/// The equations of a system, for bounds.
 pub(crate) struct Bounds<'a> {
     pub system: &'a System,
     pub parts: Vec<Part<'a>>,
 }
 
-/// One constraint, and what stands behind its columns.
+/// One constraint, and the coordinates of its columns.
 pub(crate) struct Part<'a> {
     pub constraint: &'a dyn Constraint,
-    /// Its first row among all.
+    /// The index of its first row among all.
     pub first: usize,
     pub columns: Vec<Column>,
 }
@@ -41,7 +41,8 @@ pub(crate) enum Column {
 }
 
 impl<'a> Bounds<'a> {
-    /// The constraints of a system; an error by name for one that is not known as steps.
+    /// Creates the bounds of a system. Returns an error with the name of a constraint without a
+    /// formula.
     pub(crate) fn new(system: &'a System) -> Result<Self, Error> {
         let equations = system.equations();
         let instant = equations.instant_at(0.0, system.initial());
@@ -69,7 +70,7 @@ impl<'a> Bounds<'a> {
         })
     }
 
-    /// The laws whose bounds are taken on their own word, each with its constraint.
+    /// Returns the laws whose stated bounds Kin relies on, each with its constraint.
     pub(crate) fn trusted(&self) -> Vec<String> {
         let blocks = self.parts.iter().zip(&self.system.equations().blocks);
         let mut all: Vec<String> = blocks
@@ -82,14 +83,14 @@ impl<'a> Bounds<'a> {
         all
     }
 
-    /// Every row of C along q and t.
+    /// Bounds every row of C along q and t.
     pub(super) fn residual(&self, q: &[Series], t: Series) -> Result<Vec<Series>, Unknown> {
         let mut c = Vec::with_capacity(self.system.n_equations());
         self.parts.iter().try_for_each(|part| part.residual(q, t, &mut c))?;
         Ok(c)
     }
 
-    /// The entries of C_q over a box of positions and an interval of time.
+    /// Bounds the entries of C_q over a box of positions and an interval of time.
     pub(super) fn jacobian(&self, q: &[Interval], t: Interval) -> Result<Vec<Entry>, Unknown> {
         let mut entries = Vec::new();
         self.parts.iter().try_for_each(|part| part.jacobian(q, t, &mut entries))?;
@@ -97,7 +98,7 @@ impl<'a> Bounds<'a> {
     }
 }
 
-/// Row, column and values of an entry of C_q.
+/// The row, column and bounds of an entry of C_q.
 pub(crate) type Entry = (usize, usize, Interval);
 
 impl Column {
@@ -109,7 +110,7 @@ impl Column {
     }
 }
 
-/// A number that does not move.
+/// A constant.
 pub(crate) struct Fixed(f64);
 
 impl From<Fixed> for Interval {
@@ -124,13 +125,13 @@ impl From<Fixed> for Series {
     }
 }
 
-/// Function that is called with a formula, the values of its parameters and the function that
-/// computes the rest.
+/// A function that receives a formula, the values of its parameters and the function that computes
+/// the outside values.
 pub(crate) type Shown<'a> = dyn FnMut(&Table, &[f64], Outside<'_>) -> Result<(), Unknown> + 'a;
 
 impl<'a> Part<'a> {
-    /// A constraint alone, its columns being all there are; `None` for one that is not known as
-    /// steps.
+    /// Returns the bounds of a single constraint with its local columns, or `None` if it has no
+    /// formula.
     pub(crate) fn alone(constraint: &'a dyn Constraint) -> Option<Self> {
         let columns = constraint.arguments().iter().map(|argument| argument.target.columns()).sum();
         unreadable(constraint).is_none().then(|| Part {
@@ -157,12 +158,12 @@ impl<'a> Part<'a> {
         })
     }
 
-    /// Appends its entries of C_q over a box and an interval of time, all that are not zero
-    /// throughout.
+    /// Appends its entries of C_q over a box and an interval of time, except those that are always
+    /// zero.
     ///
-    /// Every row is asked for over the whole box, along each column, whether it has an entry there
-    /// or not: floor, `if` and their like jump where their slopes are zero. Nothing is taken from
-    /// what the compiler knows of the entries: its constants are rounded.
+    /// Every row is evaluated over the whole box along each column, whether it has an entry there
+    /// or not, because floor, `if` and similar operations jump where their slopes are zero. The
+    /// constants that the compiler knows are not used, because they are rounded.
     pub(crate) fn jacobian(
         &self,
         q: &[Interval],
@@ -191,7 +192,7 @@ impl<'a> Part<'a> {
         })
     }
 
-    /// Its rows among the results of the steps, at least `len` coefficients of each.
+    /// Returns its rows among the results, with at least `len` coefficients of each.
     pub(crate) fn rows(
         &self,
         table: &Table,
@@ -209,20 +210,20 @@ impl<'a> Part<'a> {
         (0..table.formula().rows.len()).map(known).collect()
     }
 
-    /// The laws whose bounds are taken on their own word.
+    /// Returns the laws whose stated bounds Kin relies on.
     fn trusted(&self) -> Vec<String> {
         self.constraint
             .formula(|table, _, outside| equation::trusted(table.formula(), outside))
             .unwrap_or_default()
     }
 
-    /// Shows the formula.
+    /// Passes the formula on.
     pub(crate) fn with(&self, of: &mut Shown<'_>) -> Result<(), Unknown> {
         self.constraint.formula(of).unwrap_or(Ok(()))
     }
 }
 
-/// Why bounds of a constraint cannot be had at all, if so.
+/// Returns the reason why a constraint has no bounds at all, if there is one.
 fn unreadable(constraint: &dyn Constraint) -> Option<String> {
     let facts = constraint.facts();
     let known = constraint.formula(|table, _, outside| {
@@ -241,8 +242,8 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
     })
 }
 
-/// Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: its coefficients at σ = 0 and, for the remainder,
-/// over all σ.
+/// Returns Σ c_j σʲ over −1 ≤ σ ≤ 1, by Taylor's formula: the coefficients at σ = 0, and for the
+/// remainder those over all σ.
 pub(super) fn taylor(at: &Series, over: &Series) -> Interval {
     let Some(last) = over.len().checked_sub(1) else { return over.value() };
     let unit = |k: usize| {

@@ -1,32 +1,32 @@
-//! Krawczyk's test: that near an approximate position there is exactly one solution, for every time
-//! of an interval.
+//! Krawczyk's test shows that there is exactly one solution near an approximate position, for every
+//! time of an interval.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::bounds::{Bounds, Entry, Unknown};
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO, down, up};
 
-/// Bounds around an approximate position at every time of an interval. Lengths and angles by
-/// coordinate.
+/// Bounds around an approximate position at every time of an interval, for each coordinate.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Around {
-    /// The solution is no further away than this.
+    /// The solution is within this distance.
     pub inner: Vec<f64>,
-    /// There is no other solution within this.
+    /// There is no other solution within this distance.
     pub outer: Vec<f64>,
 }
 
-/// Why nothing could be shown.
+/// The reason why the test failed.
 #[derive(Clone, Debug)]
 pub(super) enum Fault {
     Unknown(Unknown),
-    /// A row of C that is too far from zero, and by how much.
+    /// A row of C that is too far from zero, and its residual.
     Apart(usize, f64),
-    /// C_q may be singular, near this position and time.
+    /// C_q may be singular near this position and time.
     Singular(Vec<f64>, f64),
 }
 
-/// Approximate positions over an interval of time: a middle, all positions, and C at these.
+/// Approximate positions over an interval of time: the middle, all positions, and C at these
+/// positions.
 pub(super) struct Piece<'a> {
     pub middle: (Vec<f64>, f64),
     pub q: &'a [Interval],
@@ -34,32 +34,32 @@ pub(super) struct Piece<'a> {
     pub c: &'a [Interval],
 }
 
-/// The smallest distance, in characteristic sizes, within which no other solution is looked
-/// for.   \[-\]
+/// The smallest radius, in characteristic sizes, within which the test excludes other solutions.
+/// \[-\]
 const LEAST: f64 = 1e-6;
 
-/// Beyond this an equation, in units of order 1, counts as missed: the position is not one that
-/// only rounding keeps from being proved.   \[-\]
+/// The residual, in units of order 1, above which an equation counts as unsatisfied. A smaller
+/// residual can be rounding. \[-\]
 const MISSED: f64 = 1e-4;
 
-/// Krawczyk's test with coordinates and rows in units of order 1, `sizes` being those of
+/// Krawczyk's test with coordinates and rows in units of order 1. `sizes` are those of the
 /// coordinates.
 pub(super) struct Test<'a> {
     pub bounds: &'a Bounds<'a>,
     pub sizes: &'a [f64],
 }
 
-/// C_q⁻¹ near the middle, and the factors by which rows are of order 1.
+/// An approximation of C_q⁻¹ near the middle, and the factors that scale rows to order 1.
 struct Frame {
     inverse: DMatrix<f64>,
     weights: Vec<f64>,
 }
 
 impl Test<'_> {
-    /// With A near C_q⁻¹ and I − A C_q bounded by R over a box of radius ρ around the positions,
-    /// and A C by b: where b + R y < y ≤ ρ there is a solution within b + R y (Brouwer), and C has
-    /// no two equal values in the box: R has no eigenvalue of 1 or more (Collatz and Wielandt), so
-    /// that no mean of the C_q in the box is singular.
+    /// Runs the test. A approximates C_q⁻¹, R bounds |I − A C_q| over a box of radius ρ around the
+    /// positions, and b bounds |A C|. If b + R y < y ≤ ρ, a solution exists within b + R y
+    /// (Brouwer). Then R has no eigenvalue of 1 or more (Collatz and Wielandt), so no mean of the
+    /// C_q in the box is singular, and C has no two equal values in the box.
     pub(super) fn around(&self, place: &Piece<'_>) -> Result<Around, Fault> {
         let singular = || Fault::Singular(place.middle.0.clone(), place.middle.1);
         let frame = self.frame(place).ok_or_else(singular)?;
@@ -91,7 +91,7 @@ impl Test<'_> {
         Ok(Around { inner: scaled(&inner, up), outer: scaled(&vec![radius; inner.len()], down) })
     }
 
-    /// The frame at the middle; `None` where C_q has no inverse, or is not finite.
+    /// Returns the frame at the middle, or `None` if C_q has no inverse or is not finite.
     fn frame(&self, place: &Piece<'_>) -> Option<Frame> {
         let n = self.sizes.len();
         let (q, t) = &place.middle;
@@ -107,7 +107,7 @@ impl Test<'_> {
         inverse.iter().all(|x| x.is_finite()).then_some(Frame { inverse, weights })
     }
 
-    /// Bounds of |I − A C_q|.
+    /// Returns bounds of |I − A C_q|.
     fn contraction(&self, frame: &Frame, entries: &[Entry]) -> DMatrix<f64> {
         let n = self.sizes.len();
         let mut columns = vec![vec![ZERO; n]; n];
@@ -127,7 +127,7 @@ impl Test<'_> {
 }
 
 impl Frame {
-    /// Bounds of |A C|, C in units of order 1.
+    /// Returns bounds of |A C|, with C in units of order 1.
     fn residual(&self, c: &[Interval]) -> Vec<f64> {
         let mut sums = vec![ZERO; c.len()];
         for (column, c) in self.inverse.column_iter().zip(c) {
@@ -139,10 +139,10 @@ impl Frame {
     }
 }
 
-/// b + R y for a y above it and not above `radius`, all operations rounded upwards; `None` where
-/// there is none.
+/// Returns b + R y for a y that is above it and at most `radius`, with all operations rounded
+/// upwards. Returns `None` if there is none.
 pub(crate) fn settled(b: &[f64], r: &DMatrix<f64>, radius: f64) -> Option<Vec<f64>> {
-    /// Above what was found, so that the next one may stay below.
+    /// The factor by which y is above the last result, so that the next one can stay below.
     const ROOM: f64 = 1.02;
     let applied = |y: &DVector<f64>| -> Vec<f64> {
         let row = |(k, b): (usize, &f64)| {

@@ -1,5 +1,5 @@
-//! One step of a motion: pieces of it for which Krawczyk's test holds, joined to one another and to
-//! both computed positions.
+//! The proof of one step of a motion: pieces for which Krawczyk's test holds, joined to one another
+//! and to both computed positions.
 
 use super::bounds::{Bounds, taylor};
 use super::krawczyk::{Around, Fault, Piece, Test};
@@ -7,30 +7,29 @@ use crate::numbers::enclosure::interval::{Interval, up};
 use crate::numbers::enclosure::series::{ORDER, Series};
 use crate::solve::motion::Motion;
 
-/// A step is halved so often at most, and tested in so many pieces.
+/// The largest number of bisections of a step, and of tests in a step.
 const DEEPEST: u32 = 14;
 const MOST: usize = 256;
 
-/// The polynomials that stand for the positions between two times, over 0 ≤ u ≤ 1, and the time
-/// t0 + u dt.
+/// The polynomials of the positions between two times over 0 ≤ u ≤ 1, with the time t0 + u dt.
 pub(super) struct Curve {
     c: Vec<[f64; 6]>,
     t0: f64,
     dt: Interval,
 }
 
-/// A failure, and the time it is at.
+/// A failure and its time.
 pub(super) type Failure = (f64, Fault);
 
 impl Curve {
-    /// The curve of step k.
+    /// Returns the curve of step k.
     pub(super) fn between(motion: &Motion, k: usize) -> Self {
         let t0 = motion.times()[k];
         let t1 = motion.times()[k + 1];
         Curve { c: motion.quintics(k), t0, dt: Interval::from(t1) - Interval::from(t0) }
     }
 
-    /// One position for good.
+    /// Returns a curve with a constant position.
     pub(super) fn still(q: &[f64], t: f64) -> Self {
         Curve {
             c: q.iter().map(|q| [*q, 0.0, 0.0, 0.0, 0.0, 0.0]).collect(),
@@ -39,15 +38,15 @@ impl Curve {
         }
     }
 
-    /// How far each end is from a position given.
+    /// Returns the distance of the end u from a given position.
     fn distance(&self, u: f64, q: &[f64]) -> Vec<f64> {
         let at = |c: &[f64; 6]| shifted(&c.map(Interval::from), Interval::from(u))[0];
         self.c.iter().zip(q).map(|(c, q)| (at(c) - Interval::from(*q)).mag()).collect()
     }
 
-    /// Bounds around the curve from u0 to u1.
+    /// Returns bounds around the curve from u0 to u1.
     pub(super) fn around(&self, test: &Test<'_>, [u0, u1]: [f64; 2]) -> Result<Around, Fault> {
-        // exact: ends are dyadic fractions
+        // This is exact, because the ends are dyadic fractions.
         let middle = 0.5 * (u0 + u1);
         let half = 0.5 * (u1 - u0);
         let mut powers = [Interval::from(1.0); 6];
@@ -87,13 +86,13 @@ impl Curve {
         test.around(&Piece { middle, q: &q, t: t_over.value(), c: &c })
     }
 
-    /// The time at u.
+    /// Returns the time at u.
     fn time(&self, u: f64) -> f64 {
         (Interval::from(self.t0) + Interval::from(u) * self.dt).mid()
     }
 }
 
-/// The coefficients of c0 + c1 x + … about another x; all of them where that is an interval.
+/// Returns the coefficients of c0 + c1 x + … about another x, as bounds if that x is an interval.
 fn shifted(c: &[Interval; 6], by: Interval) -> [Interval; 6] {
     let mut c = *c;
     for k in 0..5 {
@@ -104,8 +103,8 @@ fn shifted(c: &[Interval; 6], by: Interval) -> [Interval; 6] {
     c
 }
 
-/// True if the solutions of two tests at one time, whose positions are so far apart, are one and
-/// the same: the solution of one lies where the other one has no second solution.
+/// Returns true if the solutions of two tests at one time are equal: the solution of one is in the
+/// region in which the other has no second solution. `apart` is the distance of their positions.
 fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
     let within = |a: &Around, b: &Around| {
         a.inner
@@ -117,8 +116,8 @@ fn joined(a: &Around, b: &Around, apart: &[f64]) -> bool {
     within(a, b) || within(b, a)
 }
 
-/// Pieces that are joined to one another: the last of them, how far the next one's positions may be
-/// from its, and what holds for all.
+/// A chain of joined pieces: its last piece, the permitted distance of the next positions, and the
+/// bounds that hold for all.
 struct Chain {
     last: Around,
     apart: Vec<f64>,
@@ -126,7 +125,7 @@ struct Chain {
 }
 
 impl Chain {
-    /// Appends a piece, if it is joined to the last.
+    /// Appends a piece if it is joined to the last one.
     fn append(&mut self, here: &Around) -> bool {
         if !joined(&self.last, here, &self.apart) {
             return false;
@@ -138,7 +137,7 @@ impl Chain {
     }
 }
 
-/// Bounds around a step's curve; those around the computed positions at its ends are already known.
+/// Returns bounds around a step's curve. Those around the computed positions at its ends are known.
 pub(super) fn step(
     bounds: &Bounds<'_>,
     sizes: &[f64],
@@ -173,7 +172,7 @@ pub(super) fn step(
 }
 
 impl Around {
-    /// The bounds that hold for both.
+    /// Returns the bounds that hold for both.
     fn with(mut self, other: &Around) -> Around {
         self.inner.iter_mut().zip(&other.inner).for_each(|(a, b)| *a = a.max(*b));
         self.outer.iter_mut().zip(&other.outer).for_each(|(a, b)| *a = a.min(*b));

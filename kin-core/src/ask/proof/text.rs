@@ -1,4 +1,4 @@
-//! A proof in words.
+//! Writes a proof in words.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use crate::model::units::Unit;
 use crate::model::words::{count, time};
 use crate::numbers::enclosure::interval::down;
 
-/// The verdict, and the first step of which there is none.
+/// Writes the verdict, and the first step without a proof.
 pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let all = proof.steps.len();
     let proved = proof.proved();
@@ -41,7 +41,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let largest = |tubes: &[&Tube]| {
         sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max, above)
     };
-    // of one step this is beyond its radius, whatever the radius of others is
+    // The free distance of one step; the radii of other steps do not matter.
     let free = |tube: &Tube, k: usize| down(tube.alone[k] - tube.radius[k]);
     let least = |tubes: &[&Tube]| {
         sizes(
@@ -79,7 +79,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     })
 }
 
-/// The sizes of lengths, of angles and of Euler parameters, as far as there are such coordinates.
+/// Returns the sizes of lengths, angles and Euler parameters, as far as there are such coordinates.
 fn sizes(
     proof: &Proof,
     of: &dyn Fn(usize) -> f64,
@@ -99,12 +99,12 @@ fn sizes(
     texts.collect::<Vec<_>>().join(" and ")
 }
 
-/// A number of two digits that is not below x.
+/// Writes a number of two digits that is not below x.
 fn above(x: f64) -> String {
     rounded(x, 1.0)
 }
 
-/// A number of two digits that is not above x.
+/// Writes a number of two digits that is not above x.
 fn below(x: f64) -> String {
     rounded(x, -1.0)
 }
@@ -114,7 +114,7 @@ fn rounded(x: f64, sense: f64) -> String {
     let is_beyond = |text: &str| text.parse::<f64>().is_ok_and(|shown| sense * shown >= sense * x);
     let power =
         format!("{x:e}").split_once('e').and_then(|(_, power)| power.parse().ok()).unwrap_or(0);
-    // half a unit of the second digit further it is rounded to the next number
+    // Half a unit of the second digit further, it is rounded to the next number.
     if is_beyond(&text) { text } else { format!("{:.1e}", x + sense * 0.05 * 10_f64.powi(power)) }
 }
 

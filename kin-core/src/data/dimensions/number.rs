@@ -1,4 +1,4 @@
-//! A number of a mechanism file, which may be an expression.
+//! A number of a mechanism file, which can be an expression.
 
 use std::fmt;
 
@@ -21,7 +21,7 @@ impl<'de> Deserialize<'de> for NumberData {
     }
 }
 
-/// Reads a number or an expression, and says of anything else that it is neither.
+/// Reads a number or an expression, and reports any other value.
 struct OfNumber;
 
 impl Visitor<'_> for OfNumber {

@@ -1,4 +1,4 @@
-//! The numbers of a mechanism that hang on dimensions, as its file has them.
+//! The numbers of a mechanism that depend on dimensions, as its file contains them.
 
 use serde_json::{Map, Value};
 
@@ -8,11 +8,11 @@ use crate::model::dimension::{Beside, Bound, Holder, text_of};
 use crate::model::error::Result;
 use crate::model::mechanism::Mechanism;
 
-/// The numbers of a mechanism that hang on dimensions, as text.
+/// The numbers of a mechanism that depend on dimensions, as text.
 pub(in crate::data) struct Texts(Vec<(Bound, String)>);
 
 impl Texts {
-    /// Errors: an expression that is too long to be written.
+    /// Collects these texts. Errors: an expression that is too long.
     pub(in crate::data) fn of(mechanism: &Mechanism) -> Result<Texts> {
         let Some(shared) = &mechanism.dimensions else { return Ok(Texts(Vec::new())) };
         let store = shared.store();
@@ -23,7 +23,7 @@ impl Texts {
         Ok(Texts(mechanism.hung.iter().map(text).collect::<Result<_>>()?))
     }
 
-    /// A number that may hang on dimensions.
+    /// Returns a number, or its expression if it depends on dimensions.
     pub(in crate::data) fn number(&self, at: Bound, value: f64) -> NumberData {
         match self.text(&at) {
             Some(text) => NumberData::Expression(text.to_string()),
@@ -31,8 +31,8 @@ impl Texts {
         }
     }
 
-    /// Puts the expressions into the parameters of the constraint of that place. An axis becomes
-    /// the directions that it was given by.
+    /// Puts the expressions into the parameters of a constraint. For an axis it writes the given
+    /// directions.
     pub(in crate::data) fn put(
         &self,
         holder: Holder,
@@ -55,7 +55,7 @@ impl Texts {
         }
     }
 
-    /// The components of one direction, or lists of those of two.
+    /// Returns the components of one direction, or two lists for two directions.
     fn directions(&self, at: impl Fn(usize) -> Bound) -> Value {
         let all: Vec<Value> = (0..6).map_while(|part| self.text(&at(part))).map(value_of).collect();
         match all.as_chunks::<3>().0 {
@@ -64,23 +64,23 @@ impl Texts {
         }
     }
 
-    /// The points that the spatial body is drawn between whose coordinates begin there, if they
-    /// hang on dimensions.
+    /// Returns the points between which a spatial body is drawn, if they depend on dimensions.
+    /// `first` is its first coordinate.
     pub(in crate::data) fn between(&self, first: usize) -> Option<[[NumberData; 3]; 2]> {
         let number = |part: usize| Some(number_of(self.text(&Bound::Between { first, part })?));
         let point = |from: usize| Some([number(from)?, number(from + 1)?, number(from + 2)?]);
         Some([point(0)?, point(3)?])
     }
 
-    /// The place of the spatial body whose coordinates begin there, and the directions that it
-    /// faces, if they hang on dimensions.
+    /// Returns the place of a spatial body and the directions that it faces, if they depend on
+    /// dimensions. `first` is its first coordinate.
     pub(in crate::data) fn facing(&self, first: usize) -> Option<Vec<NumberData>> {
         let number = |part: usize| Some(number_of(self.text(&Bound::Facing { first, part })?));
         let all: Vec<NumberData> = (0..9).map_while(number).collect();
         (!all.is_empty()).then_some(all)
     }
 
-    /// The numbers of what has mass or acts, by their names there.
+    /// Returns the numbers of a mass or load, by their names.
     pub(in crate::data) fn beside<const N: usize>(
         &self,
         of: &Beside,
@@ -94,7 +94,8 @@ impl Texts {
         })
     }
 
-    /// Puts the expressions into the data of a law of a load, `name` being its name there.
+    /// Puts the expressions into the data of a law of a load. `name` is the name of the law in the
+    /// load.
     pub(in crate::data) fn put_law(&self, of: &Beside, name: &str, law: &mut Value) {
         for (at, text) in &self.0 {
             let Bound::Beside { of: known, name: own } = at else { continue };
@@ -110,12 +111,12 @@ impl Texts {
     }
 }
 
-/// The number that a text says, or the expression.
+/// Returns the number of a text, or the expression.
 fn number_of(text: &str) -> NumberData {
     text.parse().map_or_else(|_| NumberData::Expression(text.to_string()), NumberData::Number)
 }
 
-/// The same as JSON.
+/// Returns the number of a text, or the expression, as JSON.
 fn value_of(text: &str) -> Value {
     match number_of(text) {
         NumberData::Number(x) => x.into(),
@@ -123,7 +124,7 @@ fn value_of(text: &str) -> Value {
     }
 }
 
-/// The place of a numeric parameter in the data of its constraint.
+/// Returns the place of a numeric parameter in the data of its constraint.
 fn place_of<'a>(
     of: &dyn Constraint,
     parameters: &'a mut Map<String, Value>,
@@ -138,7 +139,7 @@ fn place_of<'a>(
     leaf(value, &mut { number })
 }
 
-/// The number of that name in the data of a law.
+/// Returns the number with this name in the data of a law.
 fn in_law<'a>(law: &'a mut Value, name: &str) -> Option<&'a mut Value> {
     let law = law.as_object_mut()?;
     if law.get("numbers").and_then(|numbers| numbers.get(name)).is_some() {
@@ -150,7 +151,7 @@ fn in_law<'a>(law: &'a mut Value, name: &str) -> Option<&'a mut Value> {
     in_law(parts.get_mut(&part)?, rest)
 }
 
-/// The number of a list of lists that so many others come before.
+/// Returns the number with index `number` in nested lists.
 fn leaf<'a>(value: &'a mut Value, number: &mut usize) -> Option<&'a mut Value> {
     match value {
         Value::Array(parts) => parts.iter_mut().find_map(|part| leaf(part, number)),

@@ -7,66 +7,66 @@ use crate::data::dimensions::NumberData;
 use crate::data::format::ArgumentData;
 use crate::data::once;
 
-/// A load: what acts together under one name.
+/// A load: parts that act together under one name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LoadData {
-    /// Its name.
+    /// The name.
     pub name: String,
-    /// The parts of it.
+    /// The parts.
     pub parts: Vec<ActingData>,
 }
 
-/// Something that acts.
+/// A part of a load.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum ActingData {
-    /// An energy, of which the generalised forces are −V_q.
+    /// An energy with the generalised forces −V_q.
     Energy(ScalarData),
     /// A force along a length or an angle x.
     Along {
         /// The length or angle.
         x: AlongData,
-        /// The force: a function of x, its rate and time.
+        /// The force: a function of x, its derivative and time.
         force: FormulaData,
     },
     /// A force at a point of a body, and a torque on it.
     OnBody {
-        /// Name of the body.
+        /// The name of the body.
         body: String,
-        /// The point in the body's frame; z is 0 in a plane.
+        /// The point in the frame of the body; z is 0 in a plane.
         #[serde(default = "at_origin")]
         point: [NumberData; 3],
-        /// Components of the force: laws of time. None is no force.
+        /// The components of the force, as laws of time; absent for no force.
         #[serde(
             default,
             skip_serializing_if = "Option::is_none",
             deserialize_with = "once::three"
         )]
         force: Option<Box<[Value; 3]>>,
-        /// Components of the torque; in a plane the last one counts.
+        /// The components of the torque; in a plane only the last one counts.
         #[serde(
             default,
             skip_serializing_if = "Option::is_none",
             deserialize_with = "once::three"
         )]
         torque: Option<Box<[Value; 3]>>,
-        /// True if components are in the body's axes.
+        /// True if the components are in the axes of the body.
         #[serde(default)]
         in_body: bool,
     },
 }
 
-/// A length or an angle that a force acts along.
+/// A length or an angle along which a force acts.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(untagged)]
 #[non_exhaustive]
 pub enum AlongData {
     /// The value of a constraint of one row.
     Scalar(ScalarData),
-    /// A measure of a joint or a coordinate.
+    /// A measure of a joint, or a coordinate.
     Measure(MeasureData),
 }
 
@@ -75,11 +75,11 @@ pub enum AlongData {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct MeasureData {
-    /// Its name, such as `guide.slide`.
+    /// The name, such as `guide.slide`.
     pub measure: String,
 }
 
-/// By the key `measure`, so that a mistake in either form is told as one in it.
+/// The key `measure` selects the form, so that a mistake is reported for that form.
 impl<'de> Deserialize<'de> for AlongData {
     fn deserialize<D: serde::Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
         let all = once::value(from)?;
@@ -91,41 +91,41 @@ impl<'de> Deserialize<'de> for AlongData {
     }
 }
 
-/// An energy, a length or an angle: like a constraint.
+/// An energy, a length or an angle, in the form of a constraint.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct ScalarData {
-    /// Name of its function.
+    /// The name of the function.
     pub kind: String,
-    /// The bodies and coordinates that it is made of, in the order of its signature.
+    /// The bodies and coordinates, in the order of the signature.
     pub arguments: Vec<ArgumentData>,
-    /// Its parameters by name.
+    /// The parameters by name.
     #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
 }
 
-/// A mass at a point that moves with coordinates.
+/// A mass at a point that depends on coordinates.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct PointMassData {
-    /// Its name.
+    /// The name.
     pub name: String,
     /// The point: a constraint of two or three rows, whose values are its global coordinates.
     pub point: ScalarData,
-    /// Its mass.
+    /// The mass.
     pub mass: NumberData,
 }
 
-/// A function of a length or an angle, its rate and time.
+/// A function of a length or an angle, its derivative and time.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct FormulaData {
-    /// Name of its function.
+    /// The name of the function.
     pub kind: String,
-    /// Its parameters by name.
+    /// The parameters by name.
     #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
 }
@@ -135,35 +135,35 @@ pub struct FormulaData {
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct FrictionData {
-    /// Name of the joint.
+    /// The name of the joint.
     pub joint: String,
-    /// The coefficient.
+    /// The coefficient of friction.
     pub coefficient: NumberData,
-    /// The rate of the slip at which it sets in: an angle or a length per time.
+    /// The slip velocity at which the friction has three quarters of its full size.
     pub rate: NumberData,
-    /// The pin or slide that rubs.
+    /// The geometry: a pin or a slide.
     #[serde(flatten)]
     pub shape: FrictionShape,
 }
 
-/// A pin or a slide.
+/// The geometry of a pin or a slide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case", deny_unknown_fields)]
 #[non_exhaustive]
 pub enum FrictionShape {
     /// A pin.
     Pin {
-        /// Its radius.
+        /// The radius.
         radius: NumberData,
-        /// The length of its bearing; 0 where it is short.
+        /// The length of the bearing; 0 for a short one.
         #[serde(default = "none", skip_serializing_if = "is_zero")]
         length: NumberData,
     },
     /// A slide.
     Slide {
-        /// The length of its guide.
+        /// The length of the guide.
         length: NumberData,
-        /// The width of its guide.
+        /// The width of the guide.
         width: NumberData,
     },
 }

@@ -25,12 +25,12 @@ use crate::model::loads::{
 };
 use crate::model::mechanism::Mechanism;
 
-/// Equations that the file has to carry as text, by their kinds.
+/// The equations that the file must contain as text, by their kinds.
 pub(in crate::data) type Carried = Vec<(String, String)>;
 
 impl Mechanism {
-    /// Loads as data; equations of one's own are added to those that the file carries. Errors: a
-    /// load that only the program knows.
+    /// Returns the loads as data, and adds user-defined equations to those in the file. Errors: a
+    /// load whose formula only the program knows.
     pub(in crate::data) fn load_data(
         &self,
         texts: &Texts,
@@ -42,8 +42,8 @@ impl Mechanism {
             .collect()
     }
 
-    /// Points with mass as data; equations of one's own are added to those that the file carries.
-    /// Errors: a point that only the program knows.
+    /// Returns the points with mass as data, and adds user-defined equations to those in the file.
+    /// Errors: a point whose formula only the program knows.
     pub(in crate::data) fn point_mass_data(
         &self,
         texts: &Texts,
@@ -59,7 +59,7 @@ impl Mechanism {
         self.loads.points.iter().enumerate().map(data).collect()
     }
 
-    /// Takes points with mass from data. Errors: those of [`Mechanism::point_mass`].
+    /// Adds points with mass from data. Errors: those of [`Mechanism::point_mass`].
     pub(in crate::data) fn take_point_masses(
         &mut self,
         points: &[PointMassData],
@@ -76,7 +76,7 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Friction in joints as data.
+    /// Returns the friction in joints as data.
     pub(in crate::data) fn friction_data(&self, texts: &Texts) -> Vec<FrictionData> {
         let data = |(joint, friction): &(String, Friction)| {
             let mut values = [friction.coefficient, friction.rate, 0.0, 0.0];
@@ -95,7 +95,7 @@ impl Mechanism {
         self.loads.frictions.iter().map(data).collect()
     }
 
-    /// Takes friction from data. Errors: those of [`Mechanism::friction`].
+    /// Adds friction from data. Errors: those of [`Mechanism::friction`].
     pub(in crate::data) fn take_frictions(&mut self, frictions: &[FrictionData]) -> Result<()> {
         for FrictionData { joint, coefficient, rate, shape } in frictions {
             let place = format!("friction of `{joint}`");
@@ -207,7 +207,7 @@ impl Mechanism {
         Some(ActingData::OnBody { body, point, force, torque, in_body: on.fixed })
     }
 
-    /// Takes loads from data. Errors: those of [`Mechanism::add_load_data`].
+    /// Adds loads from data. Errors: those of [`Mechanism::add_load_data`].
     pub(in crate::data) fn take_loads(
         &mut self,
         loads: &[LoadData],
@@ -216,7 +216,7 @@ impl Mechanism {
         loads.iter().try_for_each(|load| self.add_load_data(load, registry))
     }
 
-    /// Adds the load that the data say, made by the registry, on bodies of this mechanism.
+    /// Adds a load from data to bodies of this mechanism. The registry creates it.
     ///
     /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts,
     /// and those of [`Mechanism::load`].
@@ -255,7 +255,7 @@ impl Mechanism {
                 Ok(Acting::Potential(energy))
             }
             ActingData::Along { x, force } => {
-                // Its x and its rate stand for no coordinate of the mechanism.
+                // x and its derivative are no coordinates of the mechanism.
                 let given = |n: usize| vec![ArgumentData::GroundCoord(0); n];
                 let takes = if registry.knows(&force.kind, &given(2)) { 2 } else { 1 };
                 let x = Along(match x {
@@ -297,8 +297,8 @@ impl Mechanism {
         }
     }
 
-    /// The constraint that a registry makes of such data, and its parameters that hang on
-    /// dimensions.
+    /// Returns the constraint that a registry creates from the data, with its parameters that
+    /// depend on dimensions.
     fn scalar(
         &self,
         ScalarData { kind, arguments, parameters }: &ScalarData,
@@ -308,7 +308,7 @@ impl Mechanism {
     }
 }
 
-/// Notes an equation that the file has to carry. Errors: another one of the same name.
+/// Records an equation that the file must contain. Errors: another equation has the same name.
 pub(in crate::data) fn carry(
     place: &str,
     kind: &str,
@@ -330,13 +330,13 @@ pub(in crate::data) fn carry(
 }
 
 impl FormulaData {
-    /// The function of these coordinates.
+    /// Returns the function with these arguments.
     fn of(&self, arguments: Vec<ArgumentData>) -> ScalarData {
         ScalarData { kind: self.kind.clone(), arguments, parameters: self.parameters.clone() }
     }
 }
 
-/// A constraint's data are those of a scalar and more.
+/// The data of a constraint contain those of a scalar.
 impl From<ConstraintData> for ScalarData {
     fn from(data: ConstraintData) -> Self {
         ScalarData { kind: data.kind, arguments: data.arguments, parameters: data.parameters }

@@ -15,17 +15,18 @@ use crate::numbers::algebra::{Mat3, Vec3};
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct MassData {
-    /// Name of the body.
+    /// The name of the body.
     pub body: String,
-    /// Its mass.
+    /// The mass.
     pub mass: NumberData,
-    /// Its centre of mass in its frame; z is 0 in a plane.
+    /// The centre of mass in the frame of the body; z is 0 in a plane.
     pub centre: [NumberData; 3],
-    /// Its inertia about the centre in its axes, by rows; in a plane the last number counts.
+    /// The inertia about the centre in the axes of the body, by rows; in a plane only the last
+    /// number counts.
     pub inertia: [[NumberData; 3]; 3],
 }
 
-/// Names of the entries of an inertia by rows.
+/// The names of the entries of an inertia, by rows.
 const ENTRIES: [[&str; 3]; 3] = [
     ["inertia.m11", "inertia.m12", "inertia.m13"],
     ["inertia.m21", "inertia.m22", "inertia.m23"],
@@ -35,7 +36,7 @@ const ENTRIES: [[&str; 3]; 3] = [
 const CENTRE: [&str; 3] = ["centre.x", "centre.y", "centre.z"];
 
 impl Mechanism {
-    /// Masses and gravity as data.
+    /// Returns masses and gravity as data.
     pub(in crate::data) fn mass_data(
         &self,
         texts: &Texts,
@@ -51,7 +52,7 @@ impl Mechanism {
                 texts.beside(&of, m2, row2),
                 texts.beside(&of, m3, row3),
             ];
-            // The one moment of a body in a plane.
+            // The moment of a body in a plane.
             if let [NumberData::Expression(text)] = texts.beside(&of, ["inertia"], [0.0]) {
                 (0..3).for_each(|k| inertia[k][k] = NumberData::Expression(text.clone()));
             }
@@ -62,7 +63,7 @@ impl Mechanism {
         (self.loads.solids.iter().map(data).collect(), Some(gravity).filter(|_| !none))
     }
 
-    /// Takes masses and gravity from data. Errors: a name that no body has, those of
+    /// Adds masses and gravity from data. Errors: a name that no body has, those of
     /// [`Mechanism::mass`].
     pub(in crate::data) fn take_masses(
         &mut self,

@@ -1,6 +1,5 @@
-//! How far a measure may be off where dimensions have tolerances: the linear stack with its
-//! second-order term, what the mechanism itself does at the corners that are the worst, samples of
-//! it, and a proof.
+//! The deviation of a measure for dimensions with tolerances: the linear stack with its
+//! second-order term, the mechanism itself at the worst corners, samples, and a proof.
 
 mod proved;
 mod samples;
@@ -24,50 +23,54 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 use source::{Source, sources};
 
-/// How far a measure may be off, and by which dimensions.
+/// The deviation of a measure, and the share of each dimension.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tolerance {
-    /// The measure.
+    /// The name of the measure.
     pub name: String,
-    /// Its unit.
+    /// The unit of the measure.
     pub unit: String,
-    /// The number of it that is asked for.
+    /// The feature of the measure.
     pub feature: Feature,
-    /// The time; of a stroke that of the largest value.   \[s\]
+    /// The time; for a stroke that of the largest value. \[s\]
     pub t: f64,
-    /// Its value with all dimensions as they are.
+    /// The value at the nominal dimensions.
     pub nominal: f64,
     /// The shares of the dimensions, the largest first.
     pub contributions: Vec<Contribution>,
-    /// The least and the largest value that the mechanism itself has in the box of tolerances,
-    /// wherever it was looked at: at its centre, at corners, and where the second order has an
-    /// extreme on a face or inside ([`Searched`]). Both are `None` where it cannot be assembled at
-    /// one of these places: then there is no worst case.
+    /// The smallest and the largest value of the mechanism itself in the box of tolerances, among
+    /// the places that Kin tested.
+    ///
+    /// Kin tests the centre, corners, and places where the second order has an extreme on a face or
+    /// inside ([`Searched`]). Both are `None` if the mechanism cannot be assembled at one of these
+    /// places; then there is no worst case.
     pub corners: [Option<f64>; 2],
     /// Where in the box the mechanism was looked at, and where it is worst.
     pub searched: Searched,
     /// The second-order term; `None` where the mechanism cannot be assembled beside its dimensions.
     pub second_order: Option<SecondOrder>,
-    /// Bounds over all mechanisms within the tolerances, where a proof was asked for
-    /// ([`System::tolerance_proved`]).
+    /// Bounds over all mechanisms within the tolerances; `None` unless [`System::tolerance_proved`]
+    /// was called.
     pub proved: Option<Proved>,
     units: Units,
 }
 
 impl System {
-    /// How far a measure of a motion may be off, at the time at which that is worst: with s_i the
-    /// exact derivatives by the dimensions that have a tolerance T_i
-    /// ([`crate::Dimension::tolerance`]),
+    /// Computes the deviation of a measure of a motion at the worst time, for dimensions with
+    /// tolerances.
+    ///
+    /// s_i are the exact derivatives by the dimensions that have a tolerance T_i
+    /// ([`crate::Dimension::tolerance`]):
     ///
     /// ```text
     /// worst case  Σ |s_i| T_i        RSS  √(Σ s_i² T_i²)        σ = √(Σ s_i² σ_i²)
     /// ```
     ///
-    /// (E. J. Haug, *Computer Aided Kinematics and Dynamics*, 1989, for the derivatives), and
-    /// beside them the second-order term ([`SecondOrder`]) and what the mechanism does where all
-    /// dimensions are off the worst way ([`Tolerance::corners`]). The play of a clearance counts as
-    /// one dimension: T its radius, s the length of the gradient by its two parts.
+    /// (E. J. Haug, *Computer Aided Kinematics and Dynamics*, 1989, for the derivatives.) The
+    /// result also contains the second-order term ([`SecondOrder`]) and the mechanism at the worst
+    /// combinations of deviations ([`Tolerance::corners`]). A clearance counts as one dimension: T
+    /// is its radius, and s the length of the gradient by its two parts.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -94,7 +97,7 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors: no dimension that has a tolerance; those of [`System::sensitivities`] and
+    /// Errors: no dimension has a tolerance; those of [`System::sensitivities`] and
     /// [`crate::design::Sensitivities::of`].
     pub fn tolerance(&self, motion: &Motion, what: impl Measure) -> Result<Tolerance> {
         let (sources, names) = self.sources_of_error(None)?;
@@ -106,9 +109,10 @@ impl System {
         self.tolerance_of(motion, what, motion.times().get(worst).copied().unwrap_or(f64::NAN))
     }
 
-    /// The same of one number that the measure has over the motion ([`Feature`]): its value at a
-    /// time (`0.5`), an extreme (`extremes.max()`) wherever in time that moves, its stroke
-    /// (`&extremes`).
+    /// Computes the deviation of one feature of a measure over the motion ([`Feature`]).
+    ///
+    /// A feature is the value at a time (`0.5`), an extreme at any time to which it moves
+    /// (`extremes.max()`), or the stroke (`&extremes`).
     ///
     /// Errors: those of [`System::tolerance`] and [`System::at`].
     pub fn tolerance_of(
@@ -120,14 +124,16 @@ impl System {
         self.stack_of(motion, &what, of.into(), false)
     }
 
-    /// The same with a proof ([`Tolerance::proved`]): bounds, by interval arithmetic, that hold for
-    /// every mechanism whose dimensions are within their tolerances, each of which is shown to be
-    /// assembled on the branch of the motion. They are halved until they are within some half per
-    /// cent of what is attained, or no longer get nearer.
+    /// Computes the deviation of one feature with proved bounds ([`Tolerance::proved`]).
     ///
-    /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] where some
-    /// mechanism of the box may not be assembled, with its dimensions, and of what no bounds are
-    /// known: measures that are no coordinates, laws whose coefficients have a tolerance, and what
+    /// The bounds come from interval arithmetic and hold for every mechanism whose dimensions are
+    /// within their tolerances. Kin shows that each of them can be assembled on the branch of the
+    /// motion. It bisects until the bounds are within about half a per cent of an attained value,
+    /// or improve no further.
+    ///
+    /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] if a mechanism
+    /// in the box may not be assembled, with its dimensions, or if something has no known bounds:
+    /// measures that are no coordinates, laws whose coefficients have a tolerance, and what
     /// [`System::prove`] refuses.
     pub fn tolerance_proved(
         &self,
@@ -175,7 +181,7 @@ impl System {
         })
     }
 
-    /// All that may be off, with the names of all dimensions in it; an error if nothing may.
+    /// Returns all sources of error and the names of their dimensions. Errors: there is no source.
     fn sources_of_error(
         &self,
         distribution: Option<Distribution>,
@@ -191,47 +197,54 @@ impl System {
 }
 
 impl Tolerance {
-    /// Σ |s_i| T_i: all dimensions off the worst way, to first order. It says nothing where slopes
-    /// vanish or a part of the box cannot be assembled: see [`Tolerance::attained`].   \[unit of
-    /// the measure\]
+    /// Returns Σ |s_i| T_i, the worst case of all dimensions to first order. \[unit of the
+    /// measure\]
+    ///
+    /// It is meaningless where slopes vanish or a part of the box cannot be assembled; see
+    /// [`Tolerance::attained`].
     pub fn worst_case(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().abs()).sum()
     }
 
-    /// √(Σ s_i² T_i²): what it is off as often as each dimension is off by its tolerance, where
-    /// these are independent and normal.   \[unit of the measure\]
+    /// Returns √(Σ s_i² T_i²). \[unit of the measure\]
+    ///
+    /// The measure exceeds this deviation as often as each dimension exceeds its tolerance, if the
+    /// dimensions are independent and normal.
     pub fn rss(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().powi(2)).sum::<f64>().sqrt()
     }
 
-    /// √(Σ s_i² σ_i²), to first order, with σ_i that of each dimension's distribution.   \[unit of
-    /// the measure\]
+    /// Returns √(Σ s_i² σ_i²), the standard deviation to first order, with σ_i from the
+    /// distribution of each dimension. \[unit of the measure\]
     pub fn sigma(&self) -> f64 {
         self.contributions.iter().map(|one| one.sigma().powi(2)).sum::<f64>().sqrt()
     }
 
-    /// |s_i| T_i / Σ |s_j| T_j of a contribution; 0 where nothing is off.   \[-\]
+    /// Returns |s_i| T_i / Σ |s_j| T_j of a contribution, or 0 if nothing deviates. \[-\]
     pub fn share(&self, one: &Contribution) -> f64 {
         share(one.off().abs(), self.worst_case())
     }
 
-    /// s_i² σ_i² / Σ s_j² σ_j² of a contribution; 0 where nothing is off.   \[-\]
+    /// Returns s_i² σ_i² / Σ s_j² σ_j² of a contribution, or 0 if nothing deviates. \[-\]
     pub fn share_of_variance(&self, one: &Contribution) -> f64 {
         share(one.sigma().powi(2), self.sigma().powi(2))
     }
 
-    /// How far the measure itself is off at the worst places that were looked at, |value − nominal|
-    /// of the one that is farther off. `None` where a part of the box cannot be assembled.   \[unit
+    /// Returns the largest |value − nominal| of the mechanism itself at the tested places. \[unit
     /// of the measure\]
+    ///
+    /// Returns `None` if a part of the box cannot be assembled.
     pub fn attained(&self) -> Option<f64> {
         let [low, high] =
             self.corners.map(|corner| corner.map(|value| (value - self.nominal).abs()));
         Some(low?.max(high?))
     }
 
-    /// How far that is beyond the worst case of the stack, as a share of the stack; below zero
-    /// where both places are nearer. `None` where a part of the box cannot be assembled, or all
-    /// slopes are zero.   \[-\]
+    /// Returns the difference of the attained deviation from the linear stack, as a share of the
+    /// stack. \[-\]
+    ///
+    /// It is negative if both worst places deviate less than the stack. Returns `None` if a part of
+    /// the box cannot be assembled, or if all slopes are zero.
     pub fn misled(&self) -> Option<f64> {
         Some(self.attained()? / self.worst_case() - 1.0).filter(|share| share.is_finite())
     }

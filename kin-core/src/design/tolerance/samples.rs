@@ -1,4 +1,4 @@
-//! A measure in many mechanisms whose dimensions are off at random (Monte Carlo).
+//! A measure in many mechanisms with random deviations of their dimensions (Monte Carlo).
 
 use std::fmt;
 
@@ -12,56 +12,58 @@ use crate::numbers::random::Random;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// Samples that are made at once: their numbers are kept, not their motions.
+/// The number of samples computed at once. Their values stay in memory, their motions do not.
 const AT_ONCE: usize = 1 << 16;
 
-/// The most samples that can be asked for: of each a number is kept.
+/// The largest number of samples; each value needs memory.
 const MOST: usize = 100_000_000;
 
-/// How far extremes are looked for in time, in the sums of what the dimensions do to it: normal
-/// ones may be off by more than their tolerance.   \[-\]
+/// The range in time of the search for extremes, as a multiple of the sum of the effects of all
+/// dimensions. Normal dimensions can exceed their tolerance. \[-\]
 const REACH: f64 = 2.0;
 
-/// Steps in which a sample is walked to that cannot be assembled at once.
+/// The number of steps towards a sample that cannot be assembled at once.
 const WALK: u32 = 8;
 
-/// How many mechanisms are made, and how their dimensions are off.
+/// The number of mechanisms, and the distribution of their dimensions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
-    /// How many.
+    /// The number of samples.
     pub count: usize,
-    /// The same seed gives the same samples, on every machine and any number of cores.
+    /// The seed. The same seed gives the same samples, on every machine and with any number of
+    /// cores.
     pub seed: u64,
-    /// The distribution of dimensions that name none.
+    /// The distribution of dimensions without a distribution.
     pub distribution: Distribution,
 }
 
 impl Default for Sampling {
-    /// 10 000 with seed 1, normal.
+    /// Returns 10 000 samples with seed 1, normal.
     fn default() -> Self {
         Sampling { count: 10_000, seed: 1, distribution: Distribution::Normal }
     }
 }
 
-/// A measure in many mechanisms whose dimensions are off at random.
+/// A measure in many mechanisms with random deviations of their dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
     name: String,
     unit: String,
     sampling: Sampling,
-    /// In order.
+    /// The values in increasing order.
     values: Vec<f64>,
 }
 
 impl System {
-    /// A feature of a measure ([`System::tolerance_of`]) in many mechanisms whose dimensions are
-    /// off at random, each by its own distribution, independently of one another; and how many of
-    /// these mechanisms cannot be assembled. They go over the lanes and cores of a sweep.
+    /// Computes a feature of a measure ([`System::tolerance_of`]) in many mechanisms with random
+    /// deviations of their dimensions.
     ///
-    /// Where the same mechanism can be assembled only beyond a singular position, on another
-    /// branch, it counts as one that cannot.
+    /// Each dimension has its distribution and is independent of the others. The result also counts
+    /// the mechanisms that cannot be assembled. The computation uses the lanes and cores of a
+    /// sweep. A mechanism that can be assembled only beyond a singular position, on another branch,
+    /// counts as one that cannot be assembled.
     ///
-    /// Errors: those of [`System::tolerance_of`]; none or too many samples.
+    /// Errors: those of [`System::tolerance_of`], no samples or too many.
     pub fn samples(
         &self,
         motion: &Motion,
@@ -107,7 +109,8 @@ impl System {
     }
 }
 
-/// The times at which samples of a term are posed: its own, and those around an extreme.
+/// Returns the times at which samples of a term are computed: its time, and those around an
+/// extreme.
 fn window(term: &Term, motion: &Motion, reach: f64) -> Vec<f64> {
     let times = motion.times();
     let span = times.first().zip(times.last()).map_or(1.0, |(from, to)| (to - from).abs());
@@ -121,7 +124,7 @@ fn window(term: &Term, motion: &Motion, reach: f64) -> Vec<f64> {
     }
 }
 
-/// How far each dimension is off in one sample.
+/// Returns the deviation of each dimension in one sample.
 fn drawn(sources: &[Source], count: usize, random: &mut Random) -> Vec<f64> {
     let mut off = vec![0.0; count];
     for source in sources {
@@ -143,7 +146,8 @@ fn drawn(sources: &[Source], count: usize, random: &mut Random) -> Vec<f64> {
     off
 }
 
-/// A point in the disc of radius 1, but for its middle, and its squared distance from that.
+/// Returns a point in the disc of radius 1, except its centre, and its squared distance from the
+/// centre.
 fn in_disc(random: &mut Random) -> [f64; 3] {
     let point = std::iter::repeat_with(|| {
         let x = random.number();
@@ -156,14 +160,14 @@ fn in_disc(random: &mut Random) -> [f64; 3] {
         .unwrap_or([0.5, 0.0, 0.25])
 }
 
-/// A normal number, by the polar method (G. Marsaglia, T. A. Bray, SIAM Review 6, 1964).
+/// Returns a normal number, by the polar method (G. Marsaglia, T. A. Bray, SIAM Review 6, 1964).
 fn normal(random: &mut Random) -> f64 {
     let [x, _, square] = in_disc(random);
     x * (-2.0 * square.ln() / square).sqrt()
 }
 
-/// How far one term of a feature is off in each of some samples, which are off by so much
-/// themselves; `None` of those that cannot be assembled.
+/// Returns the deviation of one term of a feature in some samples; `None` for samples that cannot
+/// be assembled.
 fn changes<M: Measure + Sync>(
     followed: &Followed<'_, M>,
     term: &Term,
@@ -197,8 +201,8 @@ fn changes<M: Measure + Sync>(
     })
 }
 
-/// The pose of a term at a fixed time, where all dimensions go to where they are off little by
-/// little.
+/// Returns the pose of a term at a fixed time, while all dimensions move to their values step by
+/// step.
 fn walked<M: Measure>(
     followed: &Followed<'_, M>,
     term: &Term,
@@ -217,8 +221,8 @@ fn walked<M: Measure>(
     Some(pose)
 }
 
-/// The value at which a measure turns round within these times, by the polynomial of fifth degree
-/// through values, rates and second rates at both ends of a step; `None` if it does not turn there.
+/// Returns the value of an extreme within these times, from the quintic polynomial through values,
+/// velocities and accelerations at both ends of a step. Returns `None` if there is none.
 fn turning(found: &Quantity, times: &[f64], is_max: bool) -> Option<f64> {
     let [x, rates, second, _] = found.orders();
     let side = if is_max { 1.0 } else { -1.0 };
@@ -238,43 +242,45 @@ fn turning(found: &Quantity, times: &[f64], is_max: bool) -> Option<f64> {
 }
 
 impl Samples {
-    /// The feature of the measure.
+    /// Returns the feature of the measure, as text.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its unit.
+    /// Returns the unit of the measure.
     pub fn unit(&self) -> &str {
         &self.unit
     }
 
-    /// How many mechanisms were made, and how.
+    /// Returns the number of mechanisms and their distribution.
     pub fn sampling(&self) -> &Sampling {
         &self.sampling
     }
 
-    /// The values of those that can be assembled, the smallest first.   \[unit of the measure\]
+    /// Returns the values of the mechanisms that can be assembled, in increasing order. \[unit of
+    /// the measure\]
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// How many cannot be assembled.
+    /// Returns the number of mechanisms that cannot be assembled.
     pub fn missing(&self) -> usize {
         self.sampling.count.saturating_sub(self.values.len())
     }
 
-    /// Their share of all.   \[-\]
+    /// Returns the share of mechanisms that cannot be assembled. \[-\]
     pub fn share_missing(&self) -> f64 {
         self.missing() as f64 / self.sampling.count as f64
     }
 
-    /// Mean of those that can be assembled; NaN if there are none.   \[unit of the measure\]
+    /// Returns the mean over the mechanisms that can be assembled, or NaN if there are none. \[unit
+    /// of the measure\]
     pub fn mean(&self) -> f64 {
         self.values.iter().sum::<f64>() / self.values.len() as f64
     }
 
-    /// Standard deviation of those that can be assembled; NaN if there are fewer than two.   \[unit
-    /// of the measure\]
+    /// Returns the standard deviation over the mechanisms that can be assembled, or NaN if there
+    /// are fewer than two. \[unit of the measure\]
     pub fn sigma(&self) -> f64 {
         let mean = self.mean();
         let n = self.values.len() as f64;
@@ -282,8 +288,10 @@ impl Samples {
         if n < 2.0 { f64::NAN } else { (sum / (n - 1.0)).sqrt() }
     }
 
-    /// The value that a share `p` of those that can be assembled is below, interpolated between two
-    /// of them; NaN if there are none, or p is not between 0 and 1.   \[unit of the measure\]
+    /// Returns the value below which a share `p` of the assembled mechanisms is, interpolated
+    /// between two of them. \[unit of the measure\]
+    ///
+    /// It is NaN if there are none, or if p is not between 0 and 1.
     pub fn quantile(&self, p: f64) -> f64 {
         let Some(last) = self.values.len().checked_sub(1).filter(|_| (0.0..=1.0).contains(&p))
         else {
@@ -296,12 +304,12 @@ impl Samples {
     }
 }
 
-/// The quantiles that are told: three σ of a normal distribution, 5 %, the middle.
+/// The shares of the printed quantiles: three σ of a normal distribution, 5 %, and the median.
 const SHARES: [f64; 5] = [0.00135, 0.05, 0.5, 0.95, 0.99865];
 
 impl fmt::Display for Samples {
-    /// "slider.R_x (m), 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and how
-    /// many cannot be assembled.
+    /// Writes "slider.R_x (m), 10000 samples of seed 1: mean 0.16958, σ 0.0000603.", quantiles, and
+    /// the number of mechanisms that cannot be assembled.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Sampling { count, seed, .. } = self.sampling;
         write!(f, "{} ({}), {count} samples of seed {seed}", self.name, self.unit)?;

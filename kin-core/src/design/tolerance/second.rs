@@ -5,36 +5,38 @@ use super::source::Source;
 use crate::ask::measure::Measure;
 use crate::model::error::Result;
 
-/// Steps of the differences, in tolerances. They are small beside what bends the measure, and the
-/// rounding errors of the gradients stay below 1e-12 of the linear stack.   \[-\]
+/// The step of the differences, in tolerances. It is small compared with the nonlinearity of the
+/// measure, and rounding of the gradients stays below 1e-12 of the linear stack. \[-\]
 const STEP: f64 = 1.0 / 64.0;
 
-/// The second-order term of a stack of tolerances: with H the second derivatives of the measure by
-/// the dimensions,
+/// The second-order term of a stack of tolerances. H contains the second derivatives of the measure
+/// by the dimensions:
 ///
 /// ```text
 /// mean shift  ½ Σ H_ii σ_i²
 /// variance    Σ s_i² σ_i² + ¼ Σ H_ii² (μ4_i − σ_i⁴) + ½ Σ_(i≠j) H_ij² σ_i² σ_j²
 /// ```
 ///
-/// for independent dimensions that are distributed evenly to both sides, σ_i² and μ4_i the second
-/// and fourth moment of each; of a disc, whose two parts are not independent, the moments of both
-/// together. H comes from differences of the exact gradient with extrapolation (Richardson), to
-/// about 1e-9.
+/// The formulas hold for independent dimensions with symmetric distributions; σ_i² and μ4_i are the
+/// second and fourth moments. The two parts of a disc are not independent, so Kin uses the moments
+/// of both together. H comes from differences of the exact gradient with Richardson extrapolation,
+/// to about 1e-9.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SecondOrder {
-    /// The dimensions by which H is: those that have a tolerance, both of each clearance.
+    /// The dimensions of the rows and columns of H: those with a tolerance, and both of each
+    /// clearance.
     pub names: Vec<String>,
-    /// H, symmetric, row by row.   \[unit of the measure a unit of both dimensions\]
+    /// H, symmetric, row by row. \[unit of the measure per unit of both dimensions\]
     pub hessian: Vec<Vec<f64>>,
-    /// How far the mean is from the nominal value.   \[unit of the measure\]
+    /// The difference of the mean from the nominal value. \[unit of the measure\]
     pub mean_shift: f64,
     /// The standard deviation.   \[unit of the measure\]
     pub sigma: f64,
 }
 
-/// The second-order term; `None` where the mechanism cannot be assembled beside its dimensions.
+/// Computes the second-order term. Returns `None` if the mechanism cannot be assembled near its
+/// dimensions.
 pub(super) fn order<M: Measure>(
     followed: &Followed<'_, M>,
     sources: &[Source],
@@ -58,7 +60,8 @@ pub(super) fn order<M: Measure>(
     Ok(Some(told).filter(|told| told.mean_shift.is_finite() && told.sigma.is_finite()))
 }
 
-/// The derivatives of the gradient by dimension k: central differences at two steps, extrapolated.
+/// Returns the derivatives of the gradient by dimension k: central differences at two steps,
+/// extrapolated.
 fn column<M: Measure>(
     followed: &Followed<'_, M>,
     names: &[String],
@@ -71,7 +74,7 @@ fn column<M: Measure>(
         for side in [h, -h] {
             let Some(system) = followed.system.off([(&names[k], side)]) else { return Ok(None) };
             let Some(gradient) = followed.gradient(&system, names)? else { return Ok(None) };
-            // As f64 has it, so that the step is the one that was taken.
+            // The rounded step is the one that was taken.
             let taken = system.parameter(&names[k])? - followed.system.parameter(&names[k])?;
             sides.push((taken, gradient));
         }
@@ -85,7 +88,7 @@ fn column<M: Measure>(
     Ok(Some(extrapolated.collect()))
 }
 
-/// Mean shift and variance.
+/// Returns the mean shift and the variance.
 fn moments(sources: &[Source], slopes: &[f64], hessian: &[Vec<f64>]) -> [f64; 2] {
     let [mut mean, mut variance] = [0.0; 2];
     let of = |source: &Source| {
@@ -98,7 +101,7 @@ fn moments(sources: &[Source], slopes: &[f64], hessian: &[Vec<f64>]) -> [f64; 2]
         mean += 0.5 * second * source.parts.iter().map(|k| hessian[*k][*k]).sum::<f64>();
         variance += second * source.parts.iter().map(|k| slopes[*k].powi(2)).sum::<f64>();
         variance += match source.parts[..] {
-            // x and y of a disc: E(x² y²) is a third of E(x⁴).
+            // For x and y of a disc E(x² y²) is a third of E(x⁴).
             [x, y] => {
                 let xx = hessian[x][x];
                 let yy = hessian[y][y];

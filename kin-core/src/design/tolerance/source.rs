@@ -1,9 +1,9 @@
-//! A source of error: a dimension, or the two of a clearance.
+//! A source of error: a dimension, or the two dimensions of a clearance.
 
 use crate::model::dimension::Distribution;
 use crate::system::dimensions::Toleranced;
 
-/// A dimension that may be off, or the two of a clearance, by their numbers among all.
+/// A dimension with a tolerance, or the two of a clearance, by their indices among all.
 pub(super) struct Source {
     pub name: String,
     pub unit: String,
@@ -12,36 +12,37 @@ pub(super) struct Source {
     pub parts: Vec<usize>,
 }
 
-/// The share that one dimension has in a measure that is off.
+/// The share of one dimension in the deviation of a measure.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Contribution {
-    /// The dimension, or the clearance.
+    /// The dimension or the clearance.
     pub name: String,
-    /// Its unit, a word.
+    /// The unit of the dimension, as text.
     pub unit: String,
-    /// T: it may be off by ± this.
+    /// The tolerance T: the dimension deviates by at most ± T.
     pub tolerance: f64,
-    /// Its distribution.
+    /// The distribution of the dimension.
     pub distribution: Distribution,
-    /// s: the derivative of the measure by it; of a clearance by a play that is turned the worst
-    /// way.
+    /// The derivative s of the measure by the dimension; for a clearance by a play in the worst
+    /// direction.
     pub slope: f64,
 }
 
 impl Contribution {
-    /// s T: how far the measure is off where the dimension is larger by its tolerance.
+    /// Returns s T: the deviation of the measure if the dimension is larger by its tolerance.
     pub fn off(&self) -> f64 {
         self.slope * self.tolerance
     }
 
-    /// |s| σ: the standard deviation of the measure if nothing else is off.
+    /// Returns |s| σ: the standard deviation of the measure if nothing else deviates.
     pub fn sigma(&self) -> f64 {
         self.slope.abs() * self.distribution.sigma(self.tolerance)
     }
 }
 
-/// Those of all dimensions that may be off; `distribution` is that of dimensions that name none.
+/// Returns the sources of all dimensions with a tolerance. `distribution` applies to dimensions
+/// without a distribution.
 pub(super) fn sources(all: Vec<Toleranced>, distribution: Distribution) -> Vec<Source> {
     let mut sources: Vec<Source> = Vec::new();
     let mut discs: Vec<(String, usize)> = Vec::new();
@@ -65,12 +66,12 @@ pub(super) fn sources(all: Vec<Toleranced>, distribution: Distribution) -> Vec<S
 }
 
 impl Source {
-    /// |s| T, from the derivatives by all dimensions.
+    /// Returns |s| T, from the derivatives by all dimensions.
     pub(super) fn off(&self, slope: impl Fn(usize) -> f64) -> f64 {
         self.tolerance * self.parts.iter().map(|k| slope(*k).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Changes of its parts by which the measure becomes as large as it can.
+    /// Returns the changes of its parts that make the measure as large as possible.
     pub(super) fn worst(&self, slopes: &[f64]) -> Vec<(usize, f64)> {
         let size = self.parts.iter().map(|k| slopes[*k].powi(2)).sum::<f64>().sqrt();
         let direction = |k: usize| match self.parts[..] {

@@ -1,31 +1,31 @@
-//! A table of tolerances as text.
+//! Writes a table of tolerances as text.
 
 use std::fmt;
 
 use super::super::feature::Feature;
 use super::{Off, Searched, Tolerance};
 
-/// Beyond this share the corners are told to differ from the stack.   \[-\]
+/// If the corners differ from the stack by more than this share, the text says so. \[-\]
 const MISLED: f64 = 0.05;
 
-/// Where the stack is misled by more than that, its slopes vanish.   \[-\]
+/// If the difference is larger than this share of the stack, the slopes vanish. \[-\]
 const VANISHING: f64 = 10.0;
 
-/// Dimensions of a place that are told by name.
+/// The largest number of dimensions of a place in the text.
 const NAMED: usize = 6;
 
-/// Beyond this share of σ the second order is told.   \[-\]
+/// If the second order exceeds this share of σ, the text contains it. \[-\]
 const BENT: f64 = 0.02;
 
-/// A number with so many digits, as short as it can be.
+/// Rounds a number to so many digits.
 pub(super) fn digits(x: f64, count: usize) -> f64 {
     format!("{x:.count$e}").parse().unwrap_or(x)
 }
 
-/// The same, not below x.
+/// Rounds a number up to so many digits.
 fn above(x: f64, count: usize) -> f64 {
     let near = digits(x, count);
-    // Half a unit of the last digit further it is rounded to the next number.
+    // Half a unit of the last digit further, it is rounded to the next number.
     if near >= x {
         near
     } else {
@@ -34,8 +34,8 @@ fn above(x: f64, count: usize) -> f64 {
 }
 
 impl fmt::Display for Tolerance {
-    /// "slide (0.312 m at 0.418 s): ± 0.00041 worst case, ± 0.00027 RSS.", and a line for each
-    /// dimension.
+    /// Writes "slide (0.312 m at 0.418 s): ± 0.00041 worst case, ± 0.00027 RSS.", and a line for
+    /// each dimension.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Tolerance { name, unit, .. } = self;
         let when = match self.feature {
@@ -82,8 +82,8 @@ impl fmt::Display for Tolerance {
 }
 
 impl Tolerance {
-    /// "± 0.00041 worst case,"; where the stack does not say how far the measure is off, both sides
-    /// of it; none where a part of the box cannot be assembled.
+    /// Writes "± 0.00041 worst case,". If the stack is misleading, it writes both sides of the
+    /// deviation; if a part of the box cannot be assembled, it writes none.
     fn headline(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(place) = &self.searched.unassembled {
             return write!(
@@ -109,13 +109,13 @@ impl Tolerance {
         }
     }
 
-    /// True if the measure is farther off than the stack says, by more than rounding.
+    /// Returns true if the measure deviates more than the stack says, by more than rounding.
     fn is_misled(&self) -> bool {
         let rounding = 16.0 * f64::EPSILON * self.nominal.abs();
         self.attained().is_some_and(|off| off > (1.0 + MISLED) * self.worst_case() + rounding)
     }
 
-    /// "b is off by -0.02, …"
+    /// Writes "b is off by -0.02, …".
     fn place(&self, place: &[Off]) -> String {
         let unit = |name: &str| {
             let own = self.contributions.iter().find(|one| one.name == name);
@@ -143,7 +143,7 @@ impl Tolerance {
         }
     }
 
-    /// "Looked at all 8 corners of the box of tolerances and 3 places inside."
+    /// Writes "Looked at all 8 corners of the box of tolerances and 3 places inside."
     fn looked(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Searched { corners, all_corners, inside, unassembled, .. } = &self.searched;
         let of = self.contributions.len();

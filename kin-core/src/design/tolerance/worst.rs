@@ -1,5 +1,5 @@
-//! The places of the box of tolerances at which a measure is worst: its corners, and places on
-//! faces and inside, where the second order says that a measure turns round.
+//! Finds the worst places in the box of tolerances: its corners, and places on faces and inside
+//! where the second order has an extreme.
 
 use super::super::feature::Followed;
 use super::second::SecondOrder;
@@ -7,57 +7,57 @@ use super::source::Source;
 use crate::ask::measure::Measure;
 use crate::numbers::random::Random;
 
-/// Dimensions up to which all corners are looked at: 2⁸ mechanisms.
+/// The largest number of dimensions for which all corners are tested: 2⁸ mechanisms.
 const ALL: usize = 8;
 
-/// Directions in which the play of a clearance is looked at, where all corners are.
+/// The number of directions of a clearance, if all corners are tested.
 const DIRECTIONS: usize = 8;
 
-/// Mechanisms that are looked at, at the most.
+/// The largest number of tested mechanisms.
 const MOST: usize = 600;
 
-/// Rounds in which one dimension after the other is changed.
+/// The largest number of rounds in which one dimension after the other changes.
 const ROUNDS: usize = 16;
 
-/// Random corners from which the second order is climbed.
+/// The number of random corners from which the second order is maximised.
 const STARTS: usize = 8;
 
-/// Steps from a worst place to a worse one, by the derivatives there.
+/// The largest number of steps from a worst place to a worse one, by the derivatives there.
 const STEPS: usize = 12;
 
-/// By how much a dimension is off.
+/// The deviation of one dimension.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Off {
-    /// The dimension; of a clearance one of its two.
+    /// The dimension; for a clearance one of its two.
     pub name: String,
-    /// How far it is from its value.   \[unit of the dimension\]
+    /// The difference from the nominal value. \[unit of the dimension\]
     pub by: f64,
 }
 
-/// Where in the box of tolerances the mechanism itself was looked at, beside its centre.
+/// The places in the box of tolerances that Kin tested besides its centre.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Searched {
-    /// How many corners. Of a clearance each direction counts.
+    /// The number of corners. For a clearance each direction counts.
     pub corners: usize,
-    /// True if those are all corners, of clearances in eight directions. Else they are those to
-    /// which the derivatives and the second order lead, and those to which the change of one
-    /// dimension leads on.
+    /// True if all corners were tested, with eight directions for each clearance. Otherwise Kin
+    /// tested the corners that the derivatives and the second order suggest, and those that follow
+    /// by changes of one dimension.
     pub all_corners: bool,
-    /// How many places on faces and inside.
+    /// The number of places on faces and inside.
     pub inside: usize,
-    /// The place with the smallest value; empty of the centre.
+    /// The place with the smallest value; empty for the centre.
     pub lowest: Vec<Off>,
-    /// The place with the largest value; empty of the centre.
+    /// The place with the largest value; empty for the centre.
     pub highest: Vec<Off>,
-    /// A place at which the mechanism cannot be assembled; `None` if it can wherever it was looked
-    /// at.
+    /// A place at which the mechanism cannot be assembled; `None` if it can be assembled at all
+    /// tested places.
     pub unassembled: Option<Vec<Off>>,
 }
 
-/// The least and the largest value that were found, `None` where a part of the box does not close,
-/// and where they were looked for.
+/// Returns the smallest and the largest value, or `None` if a part of the box does not close, and
+/// the tested places.
 pub(super) fn worst<M: Measure>(
     followed: &Followed<'_, M>,
     sources: &[Source],
@@ -87,18 +87,18 @@ pub(super) fn worst<M: Measure>(
     walk.report(all_corners)
 }
 
-/// A place, by how much each dimension is off, and the value there.
+/// A place, given by the deviation of each dimension, and its value.
 struct Deviation {
     off: Vec<f64>,
     value: f64,
 }
 
-/// The places that have been looked at.
+/// The tested places.
 struct Walk<'a, M> {
     followed: &'a Followed<'a, M>,
     sources: &'a [Source],
     names: &'a [String],
-    /// The second derivatives at the centre; zero where they are not known.
+    /// The second derivatives at the centre; zero if they are unknown.
     second: Vec<Vec<f64>>,
     seen: Vec<Vec<f64>>,
     corners: usize,
@@ -107,16 +107,16 @@ struct Walk<'a, M> {
     unassembled: Option<Vec<f64>>,
 }
 
-/// The sign of each of the two.
+/// The signs of the smallest and of the largest value.
 const SIDES: [f64; 2] = [-1.0, 1.0];
 
 impl<M: Measure> Walk<'_, M> {
-    /// True if no more is to be looked at.
+    /// Returns true if no more places may be tested.
     fn is_over(&self) -> bool {
         self.unassembled.is_some() || self.seen.len() > MOST
     }
 
-    /// Looks at a place, if that has not been done.
+    /// Tests a place that has not been tested.
     fn look(&mut self, off: Vec<f64>) {
         if self.is_over() || self.seen.contains(&off) {
             return;
@@ -144,8 +144,8 @@ impl<M: Measure> Walk<'_, M> {
         })
     }
 
-    /// The places to which first and second order lead from the centre, from the corner that the
-    /// signs of the derivatives call the worst, and from some at random.
+    /// Tests the places that first and second order suggest from the centre, from the corner of the
+    /// derivatives' signs, and from some random corners.
     fn by_the_model(&mut self, slopes: &[f64]) {
         let mut random = Random::new(1);
         let mut starts = vec![vec![0.0; self.names.len()]];
@@ -162,7 +162,7 @@ impl<M: Measure> Walk<'_, M> {
         }
     }
 
-    /// The corner in the direction of these slopes, times the side.
+    /// Returns the corner in the direction of these slopes, times the side.
     fn corner(&self, slopes: &[f64], side: f64) -> Vec<f64> {
         let mut off = vec![0.0; self.names.len()];
         let worst = self.sources.iter().flat_map(|source| source.worst(slopes));
@@ -170,8 +170,7 @@ impl<M: Measure> Walk<'_, M> {
         off
     }
 
-    /// The place to which s·d + ½ dᵀ H d leads uphill, or downhill, one dimension after the other,
-    /// from a start.
+    /// Maximises (or minimises) s·d + ½ dᵀ H d from a start, one dimension after the other.
     fn climbed(&self, slopes: &[f64], mut d: Vec<f64>, side: f64) -> Vec<f64> {
         for _ in 0..ROUNDS {
             let before = d.clone();
@@ -205,7 +204,7 @@ impl<M: Measure> Walk<'_, M> {
         d
     }
 
-    /// All corners; false if they are too many.
+    /// Tests all corners. Returns false if there are too many.
     fn every_corner(&mut self, slopes: &[f64]) -> bool {
         let choices: Vec<Vec<Vec<f64>>> =
             self.sources.iter().map(|source| source.ends(slopes)).collect();
@@ -223,8 +222,8 @@ impl<M: Measure> Walk<'_, M> {
         true
     }
 
-    /// From the worst corners on by turning one dimension after the other round, as long as that is
-    /// worse.
+    /// Continues from the worst corners: it reverses one dimension after the other, as long as the
+    /// result is worse.
     fn one_by_one(&mut self) {
         for (which, side) in SIDES.into_iter().enumerate() {
             for _ in 0..ROUNDS {
@@ -245,7 +244,7 @@ impl<M: Measure> Walk<'_, M> {
         }
     }
 
-    /// From the worst places on by the exact derivatives there, with the second order of the
+    /// Continues from the worst places with the exact derivatives there and the second order of the
     /// centre.
     fn onward(&mut self) {
         for (which, side) in SIDES.into_iter().enumerate() {
@@ -257,7 +256,7 @@ impl<M: Measure> Walk<'_, M> {
                 let Some(system) = self.followed.system.off(moved) else { break };
                 let Ok(Some(slopes)) = self.followed.gradient(&system, self.names) else { break };
                 self.look(self.corner(&slopes, side));
-                // s at the centre of the model that has these slopes here
+                // The slopes s at the centre of the model that has these slopes here.
                 let at_centre = |(row, slope): (&Vec<f64>, &f64)| {
                     slope - row.iter().zip(&off).map(|(bend, d)| bend * d).sum::<f64>()
                 };
@@ -291,8 +290,8 @@ impl<M: Measure> Walk<'_, M> {
 }
 
 impl Source {
-    /// Its ends: both of a dimension, some around the disc of a clearance, the first one in the
-    /// direction of the slopes.
+    /// Returns the ends of a source: both of a dimension; some around the disc of a clearance, the
+    /// first one in the direction of the slopes.
     fn ends(&self, slopes: &[f64]) -> Vec<Vec<f64>> {
         let worst: Vec<f64> = self.worst(slopes).into_iter().map(|(_, by)| by).collect();
         match worst[..] {
@@ -301,7 +300,7 @@ impl Source {
         }
     }
 
-    /// Places around the disc, the first one at (sin, cos) of the angle.
+    /// Returns places around the disc; the first one is at (sin, cos) of the angle.
     fn around(&self, angle: f64, count: usize) -> Vec<Vec<f64>> {
         let place = |k: usize| {
             let (sin, cos) = (angle + std::f64::consts::TAU * k as f64 / count as f64).sin_cos();
@@ -310,7 +309,7 @@ impl Source {
         (0..count).map(place).collect()
     }
 
-    /// Places of this source alone at which s·d + ½ dᵀ H d may be largest.
+    /// Returns the places of this source alone at which s·d + ½ dᵀ H d can be largest.
     fn places(&self, slopes: &[f64], bend: impl Fn(usize, usize) -> f64) -> Vec<Vec<f64>> {
         let inside =
             |d: &Vec<f64>| d.iter().map(|x| x * x).sum::<f64>() < self.tolerance * self.tolerance;

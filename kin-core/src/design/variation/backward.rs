@@ -1,4 +1,4 @@
-//! The gradient of one number by all names as outputs of a tape.
+//! The gradient of one number by all names, as outputs of a tape.
 
 use kin_graph::differentiate::{Jet, Jets};
 use kin_graph::{Function, Graph, Input, Node};
@@ -12,8 +12,8 @@ use crate::model::law::Law;
 use crate::program::{Asked, Elimination, Guarded, Masks, Reduced, Summed, take};
 use crate::solve::motion::Motion;
 
-/// Adds the terms of all times to the gradient; gives the times that are left to the walk. `None`
-/// where there is no tape, and all are left.
+/// Adds the terms of all times to the gradient, and returns the times that remain for the
+/// computation time by time. Returns `None` if there is no tape; then all times remain.
 pub(in crate::design) fn adjoint(
     prepared: &Prepared<'_>,
     agreement: Option<&Agreement>,
@@ -29,9 +29,9 @@ pub(in crate::design) fn adjoint(
     tape(prepared, agreement, motion, weights)?.run(motion, &weight, Summed(gradient))
 }
 
-/// The tape, its elimination chosen at the first time. A coordinate that has no weight at any time
-/// is not read. Of a redundant mechanism a time at which superfluous equations may not agree is
-/// left to the walk.
+/// Makes the tape; its elimination is chosen at the first time. The tape does not read coordinates
+/// that have no weight at any time. For a redundant mechanism it returns a time at which redundant
+/// equations may disagree.
 pub(super) fn tape(
     prepared: &Prepared<'_>,
     agreement: Option<&Agreement>,
@@ -74,13 +74,13 @@ pub(super) fn tape(
     })
 }
 
-/// C_q and C_p with two derivatives by time, as nodes of one graph.
+/// C_q and C_p with two time derivatives, as nodes of one graph.
 struct AlongTime {
     graph: Graph,
     laws: Vec<Law>,
-    /// By rows.
+    /// C_q, one list for each row, with columns.
     by_q: Vec<JetCells>,
-    /// By the names that are asked for.
+    /// C_p, one list for each requested name, with rows.
     by_p: Vec<JetCells>,
 }
 
@@ -106,14 +106,14 @@ impl AlongTime {
 struct Transposed<'a> {
     elimination: &'a Elimination<'a>,
     masks: &'a mut Masks,
-    /// The rows in use, by their numbers in the elimination.
+    /// The rows in use, by their indices in the elimination.
     rows: &'a [usize],
     by_q: &'a [JetCells],
 }
 
 impl Transposed<'_> {
-    /// λ₀, λ₁ and λ₂: Jᵀ λ₂ = F_q̈, Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂, Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂; `fixed`
-    /// is λ₂ in rows that are not in use, and zero in the others.
+    /// Returns λ₀, λ₁ and λ₂ with Jᵀ λ₂ = F_q̈, Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂, Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ
+    /// λ₂. `fixed` is λ₂ in the rows that are not in use, and zero in the others.
     fn multipliers(
         &mut self,
         graph: &mut Graph,
@@ -141,7 +141,7 @@ impl Transposed<'_> {
         [self.solved(graph, &w0, none), first, second]
     }
 
-    /// λ with Jᵀ λ = w in the rows in use, and as it is in the others.
+    /// Returns λ with Jᵀ λ = w in the rows in use; in the others λ stays as it is.
     fn solved(&mut self, graph: &mut Graph, w: &[Node], mut lambda: Vec<Node>) -> Vec<Node> {
         let w = self.masks.all(graph, w);
         let solved = self.elimination.solve_transposed(graph, &w);
@@ -151,7 +151,7 @@ impl Transposed<'_> {
     }
 }
 
-/// −(λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p)
+/// Returns −(λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p).
 fn term(graph: &mut Graph, lambda: &[Vec<Node>; 3], by_p: &[(usize, NodeJet)]) -> Node {
     let mut sum = graph.zero();
     for (row, jet) in by_p {
@@ -160,8 +160,8 @@ fn term(graph: &mut Graph, lambda: &[Vec<Node>; 3], by_p: &[(usize, NodeJet)]) -
     sum
 }
 
-/// g, ġ and g̈ of `agreement.rs`, each with its limit: a small share of its terms, and what
-/// rounding may be.
+/// Returns g, ġ and g̈ of `agreement.rs`, each with its limit: a small share of its terms plus the
+/// bound of rounding.
 fn limited(
     graph: &mut Graph,
     nu: &[Vec<Node>; 3],

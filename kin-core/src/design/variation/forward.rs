@@ -1,8 +1,8 @@
-//! q_p, q̇_p and q̈_p of each name as outputs of a tape.
+//! q_p, q̇_p and q̈_p of each name, as outputs of a tape.
 //!
-//! With δ = q_p the variation of C by p is C_q δ + C_p, and zero at all times. C_q δ is the tangent
-//! of C along δ, and is differentiated by time as it is: C_q has many cells, of which C along one
-//! direction needs none.
+//! With δ = q_p the variation of C by p is C_q δ + C_p, which is zero at all times. C_q δ is the
+//! tangent of C along δ, and Kin differentiates it by time directly. This needs none of the many
+//! entries of C_q.
 
 use kin_graph::differentiate::{Jet, Jets};
 use kin_graph::{Graph, Input, Node};
@@ -13,8 +13,9 @@ use crate::model::law::Law;
 use crate::program::{Elimination, Guarded, IntoRows, Masks, Reduced, SELF};
 use crate::solve::motion::Motion;
 
-/// Fills the lists of each name, one an order, with a row for each time of a motion; gives the
-/// times that are left to the walk. `None` where there is no tape, and all are left.
+/// Fills the lists of each name, one for each order, with a row for each time of a motion. Returns
+/// the times that remain for the computation time by time. Returns `None` if there is no tape; then
+/// all times remain.
 pub(in crate::design) fn forward(
     prepared: &Prepared<'_>,
     motion: &Motion,
@@ -25,7 +26,7 @@ pub(in crate::design) fn forward(
     tape(prepared, motion)?.run(motion, &|_| None, sink)
 }
 
-/// The tape, its elimination chosen at the first time.
+/// Makes the tape; its elimination is chosen at the first time.
 pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion) -> Option<Guarded> {
     let system = prepared.system;
     if system.is_redundant() || system.n_equations() != system.n_coordinates() {
@@ -52,15 +53,15 @@ pub(super) fn tape(prepared: &Prepared<'_>, motion: &Motion) -> Option<Guarded> 
     })
 }
 
-/// C_q δ with two derivatives by time, as nodes of one graph. δ_j is coordinate n + j in it, and
-/// the second rate of coordinate k the rate of coordinate 2 n + k.
+/// C_q δ with two time derivatives, as nodes of one graph. In this graph δ_j is coordinate n + j,
+/// and the acceleration of coordinate k is the velocity of coordinate 2 n + k.
 struct Varied {
     graph: Graph,
     laws: Vec<Law>,
     n: usize,
     by_q: Vec<Vec<(usize, Node)>>,
     by_p: Vec<JetCells>,
-    /// The first and second derivative of each row.
+    /// The first and second time derivatives of each row.
     rows: Vec<[Node; 2]>,
 }
 
@@ -97,7 +98,7 @@ impl Varied {
         Varied { graph, laws: whole.laws, n, by_q, by_p, rows }
     }
 
-    /// q_p, q̇_p and q̈_p: J q_p = −P, J q̇_p = −Ṗ − J̇ q_p, J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p.
+    /// Solves J q_p = −P, J q̇_p = −Ṗ − J̇ q_p, J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p.
     fn solved(
         &self,
         reduced: &mut Reduced<'_>,
@@ -121,7 +122,7 @@ impl Varied {
             let b = masks.all(&mut reduced.graph, &b);
             let solved = elimination.solve(&mut reduced.graph, &b);
             found[order] = masks.all(&mut reduced.graph, &solved);
-            // A rate is zero until it is solved for.
+            // A derivative is zero until it is solved.
             let delta = |(j, node): (usize, &Node)| (Input::State(n + j, SELF), *node);
             let rate = |(j, node): (usize, &Node)| (Input::Rate(n + j, SELF), *node);
             match order {

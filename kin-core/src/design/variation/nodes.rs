@@ -1,5 +1,5 @@
 //! All equations of a system as nodes of one graph, with their derivatives by coordinates and by
-//! the names that are asked for.
+//! the requested names.
 
 use kin_graph::{Graph, Input, Node};
 
@@ -10,25 +10,25 @@ use crate::program::{ABROAD, Column, Leaves, Reduced, SELF, UNREAD, Whole, colum
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// A node with its first and second derivative by time.
+/// A node with its first and second time derivatives.
 pub(super) type NodeJet = [Node; 3];
 
-/// Jets by columns or by rows.
+/// Such nodes with their columns or rows.
 pub(super) type JetCells = Vec<(usize, NodeJet)>;
 
 /// C_q and C_p as nodes of coordinates and time.
 pub(super) struct Gathered {
     pub whole: Whole,
-    /// C by rows.
+    /// C, one node for each row.
     pub residuals: Vec<Node>,
-    /// By rows, with columns.
+    /// C_q: for each row the columns with their nodes.
     pub by_q: Vec<Vec<(usize, Node)>>,
-    /// By the names that are asked for, with rows.
+    /// C_p: for each requested name the rows with their nodes.
     pub by_p: Vec<Vec<(usize, Node)>>,
 }
 
 impl Gathered {
-    /// Of what is asked for; refuses what cannot be compiled.
+    /// Gathers the requested nodes. Returns the reason if something cannot be compiled.
     pub(super) fn of(prepared: &Prepared<'_>) -> Result<Self, &'static str> {
         let system = prepared.system;
         let none = |count| vec![Vec::new(); count];
@@ -46,7 +46,7 @@ impl Gathered {
         Ok(all)
     }
 
-    /// Appends the rows of a constraint, and what of them is asked for.
+    /// Appends the rows of a constraint and their requested derivatives.
     fn add(
         &mut self,
         system: &System,
@@ -106,7 +106,7 @@ impl Gathered {
     }
 }
 
-/// The nodes of an equation that C, C_q and what is asked for are.
+/// Returns the nodes of an equation that are C, C_q or requested derivatives.
 fn needed(equation: &Equation, asked: &[&Asked]) -> Vec<Node> {
     let mut nodes = Vec::new();
     for row in &equation.rows {
@@ -130,8 +130,8 @@ fn needed(equation: &Equation, asked: &[&Asked]) -> Vec<Node> {
     nodes
 }
 
-/// Rates as a tape along a motion reads them: ṫ is 1, and q̈, the rates of arguments from number
-/// `second` on, are parameters.
+/// Sets the derivatives that a tape along a motion reads: ṫ is 1, and q̈, the velocities of
+/// arguments from index `second` on, are parameters.
 pub(super) fn put_rates(reduced: &mut Reduced<'_>, n: usize, second: usize) {
     let one = reduced.graph.constant(1.0);
     reduced.put(Input::TimeRate, one);
@@ -141,7 +141,7 @@ pub(super) fn put_rates(reduced: &mut Reduced<'_>, n: usize, second: usize) {
     }
 }
 
-/// Cells of jets in another graph, without those that are zero.
+/// Copies entries to another graph, without those that are zero.
 pub(super) fn moved(reduced: &mut Reduced<'_>, cells: &[JetCells]) -> Vec<JetCells> {
     let zero = reduced.graph.zero();
     let mut own = |cells: &JetCells| -> JetCells {
@@ -151,7 +151,7 @@ pub(super) fn moved(reduced: &mut Reduced<'_>, cells: &[JetCells]) -> Vec<JetCel
     cells.iter().map(&mut own).collect()
 }
 
-/// Adds to the cell in that place; a body may be given twice.
+/// Adds to the entry at this index; an equation can contain a body twice.
 fn sum(graph: &mut Graph, cells: &mut Vec<(usize, Node)>, k: usize, node: Node) {
     match cells.iter_mut().find(|(known, _)| *known == k) {
         Some((_, own)) => *own = graph.add(*own, node),

@@ -1,11 +1,10 @@
-//! Points of one turning body share what they are made of.
+//! Lets the points of a rotating body share their operands.
 //!
-//! A u is written by vectors, e0 (e0 u + e × u) + e (e · u), which is the shortest way for one
-//! point. Where a body has several, and derivatives are taken of each, A is better worked out once:
-//! a quadratic form in the four Euler parameters of a body becomes Σ c (±e_a e_b ±e_c e_d …), terms
-//! with equal coefficients together, whose sums are then the same nodes for all points. Only
-//! homogeneous forms are changed: their terms are of the size of the coefficients, since |p| = 1,
-//! so that nothing cancels.
+//! For one point the cheapest form of A u is e0 (e0 u + e × u) + e (e · u). If a body has several
+//! points, and each is differentiated, computing A once is cheaper. A quadratic form in the four
+//! Euler parameters of a body becomes Σ c (±e_a e_b ±e_c e_d …), with terms of equal coefficients
+//! together; these sums are the same nodes for all points. Only homogeneous forms are changed.
+//! Since |p| = 1, their terms are of the size of the coefficients, so nothing cancels.
 
 use kin_graph::{Graph, Input, Node, Op};
 
@@ -14,13 +13,13 @@ use crate::model::layout::Kind;
 use crate::program::SELF;
 use crate::system::System;
 
-/// A constant, or a homogeneous form in the Euler parameters of the body whose coordinates begin
-/// there.
+/// A constant, or a homogeneous form in the Euler parameters of the body whose coordinates begin at
+/// this index.
 #[derive(Clone, Copy)]
 enum Form {
     Constant(f64),
     Linear(usize, [f64; 4]),
-    /// By the products of [`PAIRS`].
+    /// The coefficients of the products of [`PAIRS`].
     Quadratic(usize, [f64; 10]),
 }
 
@@ -28,13 +27,13 @@ enum Form {
 const PAIRS: [(usize, usize); 10] =
     [(0, 0), (0, 1), (0, 2), (0, 3), (1, 1), (1, 2), (1, 3), (2, 2), (2, 3), (3, 3)];
 
-/// The number of the pair of two Euler parameters.
+/// Returns the index of the pair of two Euler parameters.
 fn pair(a: usize, b: usize) -> usize {
     PAIRS.iter().position(|known| *known == (a.min(b), a.max(b))).unwrap_or_default()
 }
 
 impl Gathered {
-    /// The same with quadratic forms in Euler parameters by shared sums.
+    /// Rewrites quadratic forms in Euler parameters with shared sums.
     pub(super) fn by_turns(mut self, system: &System) -> Gathered {
         let items = system.layout().items.iter().filter(|item| item.kind == Kind::Spatial);
         let bodies: Vec<usize> = items.map(|item| item.first).collect();
@@ -50,8 +49,8 @@ impl Gathered {
         self
     }
 
-    /// Nodes that outputs are made of, with forms by shared sums, in a graph of their own; by their
-    /// numbers before.
+    /// Rewrites the operands of the outputs with shared sums in a separate graph. The result is
+    /// indexed by the old nodes.
     fn rewritten(&mut self, bodies: &[usize], outputs: &[Node]) -> Vec<Node> {
         let from = std::mem::take(&mut self.whole.graph);
         let to = &mut self.whole.graph;
@@ -72,7 +71,7 @@ impl Gathered {
     }
 }
 
-/// The form that a node is, if its operands are.
+/// Returns the form of a node, if its operands are forms.
 fn form(
     graph: &Graph,
     node: Node,
@@ -109,7 +108,7 @@ fn times(form: Form, x: f64) -> Form {
     }
 }
 
-/// a + s b, if both are forms of one degree in one body.
+/// Returns a + s b, if both are forms of one degree in one body.
 fn plus(a: Form, b: Form, s: f64) -> Option<Form> {
     Some(match (a, b) {
         (Form::Constant(a), Form::Constant(b)) => Form::Constant(a + s * b),
@@ -133,7 +132,7 @@ fn product(body: usize, a: &[f64; 4], b: &[f64; 4]) -> Form {
     Form::Quadratic(body, c)
 }
 
-/// Σ c (±e_a e_b ± …): terms whose coefficients have one size together.
+/// Builds Σ c (±e_a e_b ± …), with terms of equal coefficients together.
 fn quadratic(graph: &mut Graph, first: usize, c: &[f64; 10]) -> Node {
     let mut groups: Vec<(f64, Node)> = Vec::new();
     for ((a, b), c) in PAIRS.into_iter().zip(c).filter(|(_, c)| **c != 0.0) {

@@ -1,4 +1,4 @@
-//! Lengths and angles that forces act along: the row of a constraint, a measure of a joint, a
+//! Lengths and angles along which forces act: the row of a constraint, a measure of a joint, a
 //! coordinate.
 
 use std::f64::consts::TAU;
@@ -13,11 +13,11 @@ use crate::numbers::algebra::Vec3;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// A length or an angle x, laid out.
+/// A length or an angle x, prepared for evaluation.
 pub(in crate::forces) enum Way<'a> {
     Row(Beside<'a>),
     Measure(Measured<'a>),
-    /// The coordinate in that column, and what it is one of.
+    /// The coordinate in that column, and its body or coordinate.
     Coordinate(usize, Option<Target>),
 }
 
@@ -25,21 +25,22 @@ pub(in crate::forces) enum Way<'a> {
 pub(in crate::forces) struct Measured<'a> {
     joint: Beside<'a>,
     number: usize,
-    /// Times of the motion, and the angle as it is counted there over any number of turns; none of
-    /// a measure that does not turn.
+    /// The times of the motion, with the angle that counts revolutions; empty for a measure that is
+    /// no angle.
     counted: Vec<(f64, f64)>,
 }
 
-/// A length or an angle at one time.
+/// The value of a length or an angle at one time.
 pub(in crate::forces) struct Seen {
     pub x: f64,
     pub rate: f64,
-    /// x_q, by columns of the mechanism.
+    /// x_q, as (column of the mechanism, slope).
     pub slopes: Vec<(usize, f64)>,
 }
 
 impl<'a> Way<'a> {
-    /// Errors: a name that nothing has; an angle of a joint that is not finite.
+    /// Prepares a length or angle. Errors: a name that nothing has, an angle of a joint that is not
+    /// finite.
     pub(in crate::forces) fn new(
         system: &'a System,
         motion: &Motion,
@@ -83,7 +84,7 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// The bodies and coordinates that it is made of.
+    /// Returns the bodies and coordinates on which it depends.
     pub(in crate::forces) fn targets(&self) -> Vec<Target> {
         match self {
             Way::Row(beside) | Way::Measure(Measured { joint: beside, .. }) => beside.targets(),
@@ -91,7 +92,7 @@ impl<'a> Way<'a> {
         }
     }
 
-    /// Its arguments, and the points of them.
+    /// Returns its arguments, and their points.
     pub(in crate::forces) fn points(&self) -> (Vec<Argument>, Vec<(usize, Vec3)>) {
         match self {
             Way::Row(beside) | Way::Measure(Measured { joint: beside, .. }) => beside.own_points(),
@@ -101,7 +102,7 @@ impl<'a> Way<'a> {
 }
 
 impl Measured<'_> {
-    /// Each slope is the rate along its coordinate alone, less that which time itself makes.
+    /// Each slope is the velocity along its coordinate alone, minus the velocity from time.
     fn seen(&self, now: Now<'_>) -> Seen {
         let joint = &self.joint;
         let q = joint.local(now.q, true);
@@ -123,7 +124,7 @@ impl Measured<'_> {
         Seen { x: self.counted_on(x, now.t), rate, slopes }
     }
 
-    /// The angle x by as many turns as at the next of the times of the motion.
+    /// Returns the angle x with the number of revolutions at the nearest time of the motion.
     fn counted_on(&self, x: f64, t: f64) -> f64 {
         let falls = matches!(&self.counted[..], [first, .., last] if last.0 < first.0);
         let after =

@@ -1,4 +1,4 @@
-//! Mechanical advantage, by virtual power.
+//! Mechanical advantage, from virtual power.
 
 use nalgebra::DVector;
 
@@ -11,16 +11,18 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// Rows of a redundant mechanism that are left over by more than this, in units of order 1,
-/// contradict one another.   \[-\]
+/// Rows of a redundant mechanism with a residual above this value, in units of order 1, contradict
+/// each other. \[-\]
 const LEFT: f64 = 1e-8;
 
 impl System {
-    /// The mechanical advantage of an output over a drive at each time of a motion: the force (or
-    /// torque) that the mechanism gives along the output x for a unit of the drive's effort, df/dx
-    /// by virtual power, all other drives standing still. Positive where x grows with the drive's
-    /// law f; without masses, loads and friction. Infinite at a dead centre of the output.   \[-,
+    /// Returns the mechanical advantage of an output over a driver at each time of a motion. \[-,
     /// 1/m, m\]
+    ///
+    /// It is df/dx by virtual power, with all other drivers at rest: the force or torque along the
+    /// output x for a unit of the driver's effort. It is positive if x grows with the law f of the
+    /// driver. Masses, loads and friction are not included. At a dead centre of the output it is
+    /// infinite.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -46,9 +48,10 @@ impl System {
     /// # }
     /// ```
     ///
-    /// The output is anything that can be measured ([`Measure`]). Errors: a name that no driver
-    /// has, a driver of several rows, one that redundant equations do not let move alone; those of
-    /// [`System::measure`]; a singular position.
+    /// The output is any [`Measure`].
+    ///
+    /// Errors: a name that no driver has, a driver of several rows, a driver that redundant
+    /// equations do not allow to move alone; those of [`System::measure`]; a singular position.
     pub fn mechanical_advantage(
         &self,
         motion: &Motion,
@@ -68,7 +71,7 @@ impl System {
         }
         let moved = output.of(self, &moved)?;
         let still = output.of(self, &still)?;
-        // A measure of time itself has a rate where nothing moves.
+        // A measure that depends on time has a velocity even if nothing moves.
         let slopes =
             moved.rate.values().iter().zip(still.rate.values()).map(|(all, own)| all - own);
         let values =
@@ -80,7 +83,7 @@ impl System {
         Ok(Series::new(name, unit, motion.clock(), values))
     }
 
-    /// The driver of that name, which must have one row.
+    /// Returns the driver with this name, which must have one row.
     fn driver_of_one_row(&self, drive: &str) -> Result<&Block> {
         let drives = || self.equations().blocks.iter().filter(|block| block.drives);
         let block =
@@ -98,7 +101,7 @@ impl System {
         }
     }
 
-    /// dq/df: what moves with one unit of the law of that row.
+    /// Returns dq/df: the motion for one unit of the law of that row.
     fn moved_by(&self, row: usize, drive: &str, q: &[f64], t: f64) -> Result<Vec<f64>> {
         if !self.is_redundant() {
             let mut linear = self.linearized(q, t)?;
@@ -127,8 +130,8 @@ impl System {
     }
 }
 
-/// The unit of df/dx, angles being numbers: that of force over force, force over torque or torque
-/// over force.
+/// Returns the unit of df/dx with angles as numbers: force per force, force per torque or torque
+/// per force.
 fn unit(input: &str, output: &str) -> String {
     match (input, output) {
         _ if input == output => "-".to_string(),

@@ -10,27 +10,27 @@ use crate::model::law::Law;
 use crate::model::units::Unit;
 use crate::system::evaluate::Block;
 
-/// A slope that is nearer to −1 or 0 is that.   \[-\]
+/// A slope nearer to −1 or 0 than this is rounded to it. \[-\]
 const ROUNDED: f64 = 1e-9;
 
-/// Factors of multipliers.
+/// The factors of multipliers.
 pub(super) enum Share {
-    /// −1 in the row of that number of the driver: its row is x(q) − f(t).
+    /// The factor −1 in this row of the driver, which is x(q) − f(t).
     Row(usize),
-    /// ∂C/∂f of all of its rows, one list a time.
+    /// ∂C/∂f of all rows of the driver, one list for each time.
     Law(Vec<Vec<f64>>),
 }
 
-/// One number that a driver leads.
+/// One quantity that a driver prescribes.
 pub(super) struct Led {
     pub name: String,
-    /// Its unit, `m` or `rad`; `None` where that is not known.
+    /// The unit, `m` or `rad`; `None` if it is unknown.
     pub unit: Option<String>,
     pub share: Share,
 }
 
 impl Led {
-    /// All of a driver.
+    /// Returns all quantities of a driver.
     pub(super) fn all(forces: &Forces<'_>, block: &Block) -> Vec<Led> {
         let led = block.constraint.formula(|table, parameters, outside| {
             by_formula(forces, block, (table, parameters, outside))
@@ -38,7 +38,7 @@ impl Led {
         led.flatten().unwrap_or_else(|| by_rows(forces, block))
     }
 
-    /// Its share of multipliers, or of a vector of the null space, at time k.
+    /// Returns its share of multipliers, or of a vector of the null space, at time k.
     pub(super) fn of(&self, block: &Block, y: &[f64], k: usize) -> f64 {
         let own = &y[block.rows()];
         match &self.share {
@@ -56,7 +56,7 @@ fn by_rows(forces: &Forces<'_>, block: &Block) -> Vec<Led> {
     (0..block.rows().len()).map(led).collect()
 }
 
-/// `None` where no law of time alone is known by its value, or each row is x(q) − f(t).
+/// Returns `None` if the value of no law of time alone is known, or if each row is x(q) − f(t).
 fn by_formula(
     forces: &Forces<'_>,
     block: &Block,
@@ -97,7 +97,7 @@ fn by_formula(
     Some(names.into_iter().zip(units).enumerate().map(led).collect())
 }
 
-/// Units of laws by those of rows and coordinates.
+/// Returns the units of laws from those of rows and coordinates.
 fn units(
     forces: &Forces<'_>,
     block: &Block,
@@ -128,7 +128,8 @@ fn units(
     lengths(formula, laws, &columns, &rows).into_iter().map(word).collect()
 }
 
-/// True if column k of the ground is a length: of a body its place comes before what turns.
+/// Returns true if column k of the ground is a length: the position of a body precedes its
+/// orientation.
 fn is_place(target: Target, k: usize) -> bool {
     match target {
         Target::Planar(_) => k < 2,
@@ -139,7 +140,7 @@ fn is_place(target: Target, k: usize) -> bool {
     }
 }
 
-/// `NAME.LAW` by the names of parameters; that of the driver alone where it has one law.
+/// Returns `NAME.LAW` by the names of parameters, or the name of the driver if it has one law.
 fn names(forces: &Forces<'_>, block: &Block, laws: &[usize], outside: Outside<'_>) -> Vec<String> {
     let motion = forces.motion;
     let equations = forces.system.equations();

@@ -1,15 +1,15 @@
-//! Newton's method on the normal forces of all contacts, with friction grown from nothing to its
-//! full size.
+//! Newton's method on the normal forces of all contacts, while friction grows from zero to its full
+//! size.
 //!
-//! With a share s of friction the normal forces satisfy X = X₀ + s A(X), A positively homogeneous:
-//! twice the forces make twice the friction. So X = Y/w with
+//! With a share s of friction the normal forces satisfy X = X₀ + s A(X). A is positively
+//! homogeneous: twice the forces make twice the friction. So X = Y/w with
 //!
 //! ```text
 //! Y − w X₀ − s A(Y) = 0,   |Y|² + w² = 1,
 //! ```
 //!
-//! a curve that stays bounded where X does not: forces grow beyond all bounds as w falls to zero.
-//! Below zero every push would be a pull. The curve is followed from s = 0, where it is the
+//! This curve stays bounded where X does not: the forces grow without bound as w falls to zero.
+//! Below zero every push would be a pull. Kin follows the curve from s = 0, where it is the
 //! solution without friction.
 
 use std::ops::Range;
@@ -19,45 +19,45 @@ use nalgebra::{DMatrix, DVector};
 use super::rubbing::{Rub, Rubbing};
 use crate::numbers::algebra::Vec3;
 
-/// Of one joint.
+/// The friction law of one joint.
 struct Law {
     contacts: Range<usize>,
-    /// Along the axis for one newton of normal forces.
+    /// Friction along the axis for one newton of normal forces.
     along: f64,
-    /// Across the axis for one newton of force across.
+    /// Friction across the axis for one newton of force across.
     across: f64,
     directions: Vec<Vec3>,
 }
 
-/// Amounts of friction by the normal forces at contacts, and contacts by amounts.
+/// The amounts of friction from the normal forces at contacts, and the contacts from the amounts.
 pub(super) struct Laws<'a> {
     all: Vec<Law>,
     n_amounts: usize,
     by_amounts: &'a DMatrix<f64>,
 }
 
-/// Normal forces with all of the friction, or where they have grown beyond all bounds.
+/// The normal forces with full friction, or those that have grown without bound.
 pub(super) enum Grown {
     Whole(DVector<f64>),
     Jammed { share: f64, contacts: DVector<f64> },
 }
 
-/// w at which forces are 1e12 times those without friction.   \[-\]
+/// The w at which forces are 1e12 times those without friction. \[-\]
 const BOUND: f64 = 1e-12;
 
-/// A step keeps this near to the position before.   \[-\]
+/// The largest distance of a step from the preceding position. \[-\]
 const NEAR: f64 = 0.3;
 
-/// The smallest step of the share: where none is possible the curve turns back.   \[-\]
+/// The smallest step of the share. If no step of this size is possible, the curve turns back. \[-\]
 const SMALLEST: f64 = 1e-9;
 
-/// Steps of the curve at most; some twenty are usual at worst.
+/// The largest number of steps of the curve; about twenty are usual in hard cases.
 const STEPS: usize = 1000;
 
-/// Newton's steps at most: a kink where a force changes sides costs one.
+/// The largest number of Newton steps. A kink where a force changes its side costs one.
 const ITERATIONS: usize = 20;
 
-/// (Y, w).
+/// A point (Y, w) of the curve.
 #[derive(Clone)]
 struct Station {
     y: DVector<f64>,
@@ -78,13 +78,14 @@ impl<'a> Laws<'a> {
         Laws { all: laws, n_amounts, by_amounts }
     }
 
-    /// A share of the friction that the normal forces make.
+    /// Returns a share of the friction that the normal forces cause.
     pub(super) fn amounts(&self, contacts: &DVector<f64>, share: f64) -> Vec<f64> {
         let mut all = Vec::with_capacity(self.n_amounts);
         for law in &self.all {
             let normals = law.contacts.clone().map(|k| normal(contacts, k));
             all.push(share * law.along * normals.map(|normal| normal.norm()).sum::<f64>());
-            // The contact across a guide's width has its force along the axis, and no part in this.
+            // The contact across the width of a guide has its force along the axis and is not
+            // included here.
             let force =
                 law.contacts.clone().fold(Vec3::zeros(), |force, k| force + normal(contacts, k));
             all.extend(law.directions.iter().map(|u| share * law.across * u.dot(force)));
@@ -92,14 +93,14 @@ impl<'a> Laws<'a> {
         all
     }
 
-    /// Their derivatives by the components of the normal forces.
+    /// Returns the derivatives of the amounts by the components of the normal forces.
     fn slopes(&self, contacts: &DVector<f64>) -> DMatrix<f64> {
         let mut slopes = DMatrix::zeros(self.n_amounts, contacts.len());
         let mut row = 0;
         for law in &self.all {
             for k in law.contacts.clone() {
                 let normal = normal(contacts, k);
-                // At a contact without force the slope is that of none.
+                // A contact without force has a zero slope.
                 let size = normal.norm();
                 let way = if size > 0.0 { normal * (1.0 / size) } else { Vec3::zeros() };
                 for (axis, way) in way.to_array().into_iter().enumerate() {
@@ -118,7 +119,7 @@ impl<'a> Laws<'a> {
         slopes
     }
 
-    /// The normal forces with friction, of those without.
+    /// Returns the normal forces with friction from those without.
     pub(super) fn grow(&self, without: &DVector<f64>) -> Grown {
         let size = without.amax();
         if size == 0.0 {
@@ -146,7 +147,7 @@ impl<'a> Laws<'a> {
         Grown::Jammed { share, contacts: place.y }
     }
 
-    /// The share at which w falls to zero, between two.
+    /// Returns the share at which w falls to zero, between two shares.
     fn unbounded(
         &self,
         mut place: Station,
@@ -163,7 +164,7 @@ impl<'a> Laws<'a> {
         Grown::Jammed { share: to, contacts: place.y }
     }
 
-    /// Newton's method at one share; `None` where it does not converge nearby.
+    /// Runs Newton's method at one share. Returns `None` if it does not converge nearby.
     fn corrected(&self, from: &Station, start: &DVector<f64>, share: f64) -> Option<Station> {
         let n = start.len();
         let mut at = from.clone();

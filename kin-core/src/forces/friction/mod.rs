@@ -1,9 +1,9 @@
-//! Dry friction: reactions enter the friction, which enters the reactions.
+//! Dry friction: friction depends on reactions, and reactions on friction.
 //!
-//! The normal forces N of all contacts depend on the amounts f of friction linearly, N = N₀ + Σ f_e
-//! N_e, N_e being those of one unit of friction of joint e, by one transposed solve with the
-//! elimination at hand; and f depends on N by Coulomb's law. So Newton's method works on the few
-//! normal forces alone (`grown.rs`).
+//! The normal forces N of all contacts depend linearly on the amounts f of friction: N = N₀ + Σ f_e
+//! N_e. N_e are the normal forces for one unit of friction in joint e; one transposed solve with
+//! the existing elimination computes them. f depends on N by Coulomb's law. So Newton's method
+//! needs only the few normal forces as unknowns (`grown.rs`).
 
 mod grown;
 mod rubbing;
@@ -22,7 +22,7 @@ use crate::system::evaluate::Block;
 use grown::{Grown, Laws};
 pub(super) use rubbing::{Rub, Rubbing};
 
-/// A drive works against friction if its effort is at least this share of the largest.   \[-\]
+/// A driver works against friction if its effort is at least this share of the largest one. \[-\]
 const WORKS: f64 = 1e-6;
 
 /// All joints with friction.
@@ -31,7 +31,8 @@ pub(super) struct Frictions {
 }
 
 impl Frictions {
-    /// Errors: a joint whose parameters have been set so that it is no pin or slide any more.
+    /// Prepares the joints with friction. Errors: a joint with parameters that no longer make it a
+    /// pin or slide.
     pub(super) fn new(system: &System) -> Result<Frictions> {
         let blocks = system.equations().blocks.iter().enumerate();
         let one = |(name, friction): &(String, Friction)| {
@@ -49,9 +50,9 @@ impl Frictions {
         Ok(Frictions { all: all.collect::<Result<_>>()? })
     }
 
-    /// Adds friction to λ without it, and tells what it is at each joint.
+    /// Adds friction to λ, which is without friction, and stores the friction of each joint.
     ///
-    /// Errors: a reaction that is not unique, by name; a mechanism that is jammed.
+    /// Errors: a reaction that is not unique, by name; a jammed mechanism.
     pub(super) fn add(
         &self,
         solver: &TransposedSolver<'_>,

@@ -1,4 +1,4 @@
-//! Friction of one joint at one time: where it acts, and the normal forces at its contacts.
+//! The friction of one joint at one time: where it acts, and the normal forces at its contacts.
 
 use super::super::acting::Now;
 use super::super::body::generalised;
@@ -15,29 +15,31 @@ use crate::system::System;
 /// A joint with friction.
 #[derive(Clone, Debug)]
 pub(in crate::forces) struct Rubbing {
-    /// The joint's name, and its number.
+    /// The name of the joint, and its index.
     pub name: String,
     pub block: usize,
     pub friction: Friction,
     seat: Seat,
 }
 
-/// The same at one time.
+/// The friction of a joint at one time.
 #[derive(Clone, Debug)]
 pub(in crate::forces) struct Rub {
-    /// First coordinates of bodies i and j; `None` on the ground.
+    /// The first coordinates of bodies i and j with their number; `None` for the ground.
     first: [Option<(usize, usize)>; 2],
-    /// Coordinates of the bodies.
+    /// The coordinates of bodies i and j.
     q: [Vec<f64>; 2],
-    /// The joint's point and the axis of the pin or the way of the slide, global.
+    /// The joint's point and the axis of the pin or slide, in global components.
     point: Vec3,
     pub axis: Vec3,
-    /// Directions across the axis in which a slide's friction, off the line, turns the body.
+    /// The directions across the axis about which the friction of a slide, off its line, turns the
+    /// body.
     across: Vec<Vec3>,
     slides: bool,
-    /// The slip: of i in j about or along the axis.   \[rad/s, m/s\]
+    /// The slip velocity of i in j about or along the axis. \[rad/s, m/s\]
     pub rate: f64,
-    /// The friction on body i: a torque about the axis or a force along it, and a torque across.
+    /// The friction on body i: a torque about the axis or a force along it. `turning` is a torque
+    /// across the axis.
     pub amount: f64,
     pub torque: Vec3,
 }
@@ -53,17 +55,17 @@ impl Rubbing {
         Ok(Rubbing { name: name.to_string(), block, friction: *friction, seat })
     }
 
-    /// Bodies i and j.
+    /// Returns bodies i and j.
     pub(in crate::forces) fn bodies(&self) -> [Target; 2] {
         self.seat.bodies
     }
 
-    /// The joint's point, on body i.
+    /// Returns the joint's point on body i.
     pub(in crate::forces) fn point(&self) -> (Target, Vec3) {
         (self.seat.bodies[0], self.seat.point)
     }
 
-    /// Where it acts at one time, without any friction yet.
+    /// Returns the place of the friction at one time, with zero amounts.
     pub(super) fn at(&self, system: &System, now: Now<'_>) -> Rub {
         let first = self.seat.bodies.map(|body| place(system, &body));
         let part = |of: &[f64], k: usize| {
@@ -97,13 +99,13 @@ impl Rubbing {
             amount: 0.0,
             torque: Vec3::zeros(),
         };
-        // By virtual work: the power of one unit of it.
+        // By virtual work: the power of one unit of friction.
         let unit = rub.spread(system.n_coordinates(), rub.along());
         rub.rate = unit.iter().zip(now.qd).map(|(q, qd)| q * qd).sum();
         rub
     }
 
-    /// How many contacts it has.
+    /// Returns the number of contacts.
     pub(super) fn n_contacts(&self) -> usize {
         match self.friction.shape {
             Shape::Pin { length: 0.0, .. } => 1,
@@ -112,8 +114,8 @@ impl Rubbing {
         }
     }
 
-    /// Friction along the axis for one newton of normal forces, and across it for one of force
-    /// across.
+    /// Returns the friction along the axis for one newton of normal forces, and across it for one
+    /// newton of force across.
     pub(super) fn by_normal_force(&self, rate: f64) -> [f64; 2] {
         let share = self.friction.coefficient * (rate / self.friction.rate).tanh();
         match self.friction.shape {
@@ -122,8 +124,8 @@ impl Rubbing {
         }
     }
 
-    /// Normal forces at its contacts by the force and torque that the joint puts on body i about
-    /// its point.
+    /// Returns the normal forces at the contacts from the force and torque of the joint on body i
+    /// about its point.
     pub(super) fn contacts(&self, rub: &Rub, held: Wrench) -> Vec<Vec3> {
         let h = rub.axis;
         let across = |v: Vec3| v - h * h.dot(v);
@@ -139,8 +141,8 @@ impl Rubbing {
             Shape::Slide { length, width } => {
                 let mut all = ends(length);
                 if self.seat.holds_turn {
-                    // Its size alone counts, in friction and in what is unique: with the other sign
-                    // all of it is mirrored, and no result changes.
+                    // Only the magnitude matters, for friction and for uniqueness. The other sign
+                    // would mirror everything without changing a result.
                     all.push(h * (2.0 * h.dot(held.torque) / width));
                 }
                 all
@@ -150,12 +152,12 @@ impl Rubbing {
 }
 
 impl Rub {
-    /// How many amounts it has: along the axis, and across it.
+    /// Returns the number of amounts: along the axis, and across it.
     pub(super) fn n_amounts(&self) -> usize {
         1 + self.across.len()
     }
 
-    /// One unit along the axis.
+    /// Returns one unit of friction along the axis.
     fn along(&self) -> Wrench {
         let zero = Vec3::zeros();
         match self.slides {
@@ -164,19 +166,19 @@ impl Rub {
         }
     }
 
-    /// Generalised forces of one unit of each amount.
+    /// Returns the generalised forces of one unit of each amount.
     pub(super) fn units(&self, n: usize) -> Vec<Vec<f64>> {
         let turned =
             self.across.iter().map(|u| Wrench { force: Vec3::zeros(), torque: u.cross(self.axis) });
         std::iter::once(self.along()).chain(turned).map(|unit| self.spread(n, unit)).collect()
     }
 
-    /// Directions across the axis.
+    /// Returns the directions across the axis.
     pub(super) fn across(&self) -> &[Vec3] {
         &self.across
     }
 
-    /// Takes the amounts that have been found.
+    /// Stores the computed amounts.
     pub(super) fn take(&mut self, amounts: &[f64]) {
         let Some((along, across)) = amounts.split_first() else { return };
         self.amount = *along;
@@ -184,7 +186,7 @@ impl Rub {
         self.torque = turned.fold(Vec3::zeros(), |all, turned| all + turned);
     }
 
-    /// Adds its generalised forces to those of the mechanism.
+    /// Adds the generalised forces of the friction to those of the mechanism.
     pub(in crate::forces) fn scatter(&self, by_q: &mut [f64]) {
         let along = self.along();
         let whole = Wrench {
@@ -195,8 +197,8 @@ impl Rub {
         by_q.iter_mut().zip(own).for_each(|(all, own)| *all += own);
     }
 
-    /// Generalised forces of a force and a torque at the point on body i, and of their opposite on
-    /// body j.
+    /// Returns the generalised forces of a force and a torque at the point on body i, and of their
+    /// opposite on body j.
     fn spread(&self, n: usize, on_i: Wrench) -> Vec<f64> {
         let mut all = vec![0.0; n];
         for (k, sign) in [(0, 1.0), (1, -1.0)] {
@@ -217,19 +219,20 @@ impl Rub {
         all
     }
 
-    /// Force and torque on body i about the point, of the generalised forces of the joint.
+    /// Returns the force and torque on body i about the point, from the generalised forces of the
+    /// joint.
     pub(super) fn held(&self, by_q: &[f64]) -> Wrench {
         let of = |k: usize| {
             let (first, n) = self.first[k]?;
             let own = Wrench::of(&self.q[k], &by_q[first..first + n]);
             Some(own.moved(Stand::of(&self.q[k]).r, self.point))
         };
-        // On the ground it is the opposite of what the other body has.
+        // The ground gets the opposite of the force on the other body.
         of(0).or_else(|| of(1).map(|other| other.times(-1.0))).unwrap_or_default()
     }
 }
 
-/// First coordinate of a body and how many it has; `None` on the ground.
+/// Returns the first coordinate of a body and the number of its coordinates; `None` for the ground.
 fn place(system: &System, body: &Target) -> Option<(usize, usize)> {
     match system.layout().place(body) {
         Some(Place::Own { first, .. }) => Some((first, body.columns())),

@@ -1,4 +1,4 @@
-//! The way of a motion towards one of its singular positions, and the forces on it.
+//! The path of a motion towards one of its singular positions, and the forces along it.
 
 use super::super::acting::Now;
 use super::super::multipliers::TransposedSolver;
@@ -11,40 +11,41 @@ use crate::solve::newton::{Outcome, SolverOptions};
 use crate::system::System;
 use crate::system::scaled::Measures;
 
-/// The last time of the motion before the way is at least this far from the singular position, if
-/// there is such a time, and the end of the way no further than that.   \[-\]
+/// The path begins at the last time of the motion that is at least this far from the singular
+/// position, if there is such a time. The end of the path is no further than this. \[-\]
 const FIRST: f64 = 0.125;
 const LAST: f64 = 1.0 / 2048.0;
 
-/// Places on the way at most: each is half as far as the one before it.
+/// The largest number of places on the path. Each is half as far away as the preceding one.
 const PLACES: usize = 40;
 
-/// A part of the generalised forces below this share of all of them is rounding, and so is the size
-/// of the force of one constraint below the second share of the largest one.   \[-\]
+/// A part of the generalised forces below this share of all of them is rounding. The force of one
+/// constraint below the second share of the largest one is rounding too. \[-\]
 const ROUNDING: f64 = 1e-12;
 const NOTHING: f64 = 1e-9;
 
-/// The side of its time from which a singular position is come to, whichever way the motion runs.
+/// The side of its time from which the motion approaches a singular position, in either direction
+/// of time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Side {
     Before,
     After,
 }
 
-/// Places on the way, the furthest first.
+/// The places on the path, the furthest first.
 pub(super) struct Approach {
-    /// |t − t*|   \[s\]
+    /// |t − t*| of each place. \[s\]
     pub times: Vec<f64>,
-    /// max |q_j − q_j*| by the sizes of coordinates.   \[-\]
+    /// max |q_j − q_j*| of each place, in units of the coordinates' sizes. \[-\]
     pub ways: Vec<f64>,
     /// For each part of the forces and each constraint the size of its multipliers at each place,
-    /// in units of order 1; none of a constraint on which that part puts nothing.
+    /// in units of order 1. `None` for a constraint without force from that part.
     pub sizes: Vec<Vec<Option<Vec<f64>>>>,
 }
 
-/// Shares of q̇ and q̈ that forces are computed with, one part after the other: at a toggle rates
-/// have no bound, and forces of accelerations, of rates and those at rest grow with powers of their
-/// own.
+/// Returns the shares of q̇ and q̈ with which each part of the forces is computed. At a toggle
+/// velocities have no bound. Forces of accelerations, of velocities and those at rest then grow
+/// with different exponents.
 fn parts(kind: SingularKind) -> &'static [[f64; 2]] {
     match kind {
         SingularKind::TurningPoint => &[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0]],
@@ -53,9 +54,10 @@ fn parts(kind: SingularKind) -> &'static [[f64; 2]] {
 }
 
 impl Approach {
-    /// From the time of the motion that is near on that side; `None` where there is no such time.
+    /// Creates the path from the nearest time of the motion on that side. Returns `None` if there
+    /// is no such time.
     ///
-    /// Errors: those of a run and of forces on the way.
+    /// Errors: those of a run and of forces on the path.
     pub(super) fn new(
         system: &System,
         motion: &Motion,
@@ -74,7 +76,7 @@ impl Approach {
         let row = [motion.q(start), motion.qd(start), motion.qdd(start), &[]];
         near.append(motion.times()[start], row, Outcome { iterations: 0, residual: 0.0 }, 0);
         run.go_on(&near, f64::INFINITY);
-        // Half as far along the path is a quarter of the time at a toggle.
+        // Half the distance along the path is a quarter of the time at a toggle.
         let nearer: f64 = if to.kind == SingularKind::TurningPoint { 0.25 } else { 0.5 };
         let mut from = motion.times()[start] - to.t;
         while near.len() < PLACES && way(near.q(near.len() - 1)) > LAST {
@@ -91,7 +93,7 @@ impl Approach {
     }
 }
 
-/// The time of a motion from which the way begins.
+/// Returns the index of the time of a motion at which the path begins.
 fn start(motion: &Motion, at: f64, side: Side, way: &dyn Fn(&[f64]) -> f64) -> Option<usize> {
     let times = motion.times();
     let is_there = |t: f64| if side == Side::Before { t < at } else { t > at };
@@ -101,7 +103,7 @@ fn start(motion: &Motion, at: f64, side: Side, way: &dyn Fn(&[f64]) -> f64) -> O
     far.or(there.last()).copied()
 }
 
-/// Sizes of multipliers at the places of a motion: for each part, constraint and place.
+/// Returns the sizes of multipliers at the places of a motion: for each part, constraint and place.
 fn sizes(
     system: &System,
     (near, places): (&Motion, std::ops::Range<usize>),

@@ -1,4 +1,4 @@
-//! The growth of forces, as people ask for it.
+//! The growth of forces near singular positions.
 
 use super::super::acting::Beside;
 use super::super::calls::Forces;
@@ -8,10 +8,12 @@ use crate::model::error::Result;
 use crate::model::growth::Growth;
 
 impl Forces<'_> {
-    /// The constraints whose forces grow without bound towards singular positions of the motion
-    /// ([`crate::Motion::singular_positions`]), with the time t* and the power of |t − t*|: the
-    /// toggle that has ended it, and change points that it has passed. Drivers are among them.
-    /// Forces are computed anew at some places on the way; friction has no part in it.
+    /// Returns the constraints whose forces grow without bound near the singular positions of the
+    /// motion, with the time t* and the exponent of |t − t*|.
+    ///
+    /// The singular positions ([`crate::Motion::singular_positions`]) are the toggle that ended the
+    /// motion and the change points that it passed. Drivers are among the constraints. Kin computes
+    /// the forces again at some places near the singular position, without friction.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -41,9 +43,10 @@ impl Forces<'_> {
     /// # }
     /// ```
     ///
-    /// Of mechanisms with redundant equations, and of motions given by states, singular positions
-    /// are not known, and nothing is told. Errors: those of a run, where the motion cannot be gone
-    /// along again.
+    /// For mechanisms with redundant equations, and for motions from given states, Kin does not
+    /// know the singular positions and returns an empty list.
+    ///
+    /// Errors: those of a run, if Kin cannot follow the motion again.
     pub fn growth(&self) -> Result<Vec<Growth>> {
         let system = self.system;
         let points = Beside::points(self.system);

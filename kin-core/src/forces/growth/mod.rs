@@ -1,10 +1,10 @@
-//! How forces grow towards singular positions, where C_qᵀ λ = Q has no solution.
+//! The growth of forces near singular positions, where C_qᵀ λ = Q has no solution.
 //!
-//! Near such a position the smallest singular value of C_q goes as the way s along the path, and |t
-//! − t*| as s² at a toggle, as s at a change point. So forces grow as a power of |t − t*|: that of
-//! loads at rest as −½ at a toggle, that of masses, which have accelerations without bound there,
-//! as −2, and either as −1 at a change point. Powers are found from forces on the way, whatever the
-//! mechanism.
+//! Near such a position the smallest singular value of C_q is proportional to the distance s along
+//! the path. |t − t*| is proportional to s² at a toggle and to s at a change point. So forces grow
+//! as a power of |t − t*|. The exponent is −1 at a change point. At a toggle it is −½ for loads at
+//! rest and −2 for masses, whose accelerations have no bound there. Kin determines exponents from
+//! forces along the path, for any mechanism.
 
 mod approach;
 mod asked;
@@ -20,16 +20,16 @@ use crate::system::evaluate::Block;
 use approach::{Approach, Side};
 use power::{Values, power};
 
-/// A power above this is none.   \[-\]
+/// An exponent above this value counts as zero. \[-\]
 const FLAT: f64 = -0.04;
 
-/// Times that differ by this share of the step of the motion are one.   \[-\]
+/// Times that differ by less than this share of the step of the motion are equal. \[-\]
 const AT_ONCE: f64 = 1e-6;
 
-/// Generalised forces of everything but constraints, Q_e + Q_v − M q̈.
+/// The generalised forces of everything except constraints, Q_e + Q_v − M q̈.
 pub(super) type Acting<'a> = &'a mut dyn FnMut(Now<'_>) -> Result<Vec<f64>>;
 
-/// Growth towards one singular position, in the order of the constraints.
+/// Returns the growth towards one singular position, in the order of the constraints.
 fn towards(
     system: &System,
     motion: &Motion,
@@ -63,7 +63,8 @@ fn towards(
     Ok(grows.map(told).collect())
 }
 
-/// An error of forces at time t, with what grows there if it is a singular position of the motion.
+/// Converts an error of forces at time t to a report of what grows there, if t is a singular
+/// position of the motion.
 pub(super) fn explained(
     system: &System,
     motion: &Motion,

@@ -1,28 +1,30 @@
-//! The power of a quantity that grows, from its values at places on the way.
+//! Determines the exponent with which a quantity grows, from its values at places on the path.
 
-/// Values at places on the way to a singular position, the furthest first.
+/// Values at places on the path to a singular position, the furthest first.
 pub(super) struct Values<'a> {
-    /// |t − t*|   \[s\]
+    /// |t − t*| of each place. \[s\]
     pub times: &'a [f64],
-    /// Distances of the places along the path, each smaller by the same factor.   \[-\]
+    /// The distance of each place along the path; each is smaller by the same factor. \[-\]
     pub ways: &'a [f64],
-    /// The quantity, above zero.
+    /// The positive quantity at each place.
     pub sizes: &'a [f64],
 }
 
-/// Two extrapolations that differ by no more are one, and so are a power and a fraction.   \[-\]
+/// Two extrapolations that differ by at most this value agree, and so do an exponent and a
+/// fraction. \[-\]
 const SETTLED: f64 = 0.01;
 const FRACTION: f64 = 0.02;
 
-/// Powers are multiples of one twelfth: halves at a toggle, whole numbers at a change point, thirds
+/// Exponents are multiples of one twelfth: halves at a toggle, integers at a change point, thirds
 /// and quarters where the path is flatter than usual.
 const TWELFTHS: f64 = 12.0;
 
-/// p of a quantity that goes as |t − t*|^p; `None` where it does not settle.
+/// Returns p of a quantity proportional to |t − t*|^p, or `None` if the extrapolation does not
+/// settle.
 ///
-/// Along the path the quantity is a power times a series in the way s, and so is |t − t*|. The
-/// slope of logarithms between two places is p + a s + b s² + …, of which a and b are taken out
-/// (Richardson).
+/// Along the path both the quantity and |t − t*| are a power times a series in the distance s. The
+/// slope of logarithms between two places is p + a s + b s² + …; Richardson extrapolation
+/// eliminates a and b.
 pub(super) fn power(of: &Values<'_>) -> Option<f64> {
     let slope =
         |k: usize| (of.sizes[k + 1] / of.sizes[k]).ln() / (of.times[k + 1] / of.times[k]).ln();

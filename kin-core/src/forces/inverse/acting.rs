@@ -1,4 +1,4 @@
-//! Everything but constraints as nodes: what moves masses, weight, loads; energies and powers.
+//! Everything except constraints as nodes: inertial forces, weight, loads, energies and powers.
 
 use kin_graph::{Function, Function2, Graph, Input, Node};
 
@@ -17,23 +17,24 @@ const CLOSURE: &str = "its force is a closure, which only the program knows; a f
 const MEASURE: &str =
     "it acts along a measure of a joint, which is asked for at one time after the other";
 
-/// Generalised forces, energies and powers as nodes of the whole.
+/// The generalised forces, energies and powers as nodes of the whole program.
 pub(super) struct Acts<'w> {
     pub whole: &'w mut Whole,
-    /// Q_e + Q_v − M q̈.
+    /// Q_e + Q_v − M q̈, one node for each coordinate.
     pub by_q: Vec<Node>,
     pub kinetic: Node,
-    /// dT/dt, by differentiating T.
+    /// dT/dt, from differentiating T.
     pub rate: Node,
     pub potential: Node,
-    /// The power of loads and of weight.
+    /// The power of loads and weight.
     pub loads: Node,
-    /// The largest power of any of the forces on any coordinate.
+    /// The largest power of any force on any coordinate.
     pub largest: Node,
 }
 
 impl<'w> Acts<'w> {
-    /// All that has mass and acts in a system. Refuses by name what is not known as nodes.
+    /// Builds the nodes of all masses and loads of a system. Returns an error with the name of
+    /// whatever has no nodes.
     pub(super) fn new(
         whole: &'w mut Whole,
         system: &System,
@@ -71,7 +72,7 @@ impl<'w> Acts<'w> {
         self.by_q[column] = self.whole.graph.add(self.by_q[column], force);
     }
 
-    /// The power of a force along a rate, which may be the largest one.
+    /// Returns the power of a force along a velocity, and includes it in the largest power.
     pub(super) fn power(&mut self, force: Node, rate: Node) -> Node {
         let graph = &mut self.whole.graph;
         let power = graph.mul(force, rate);
@@ -82,7 +83,7 @@ impl<'w> Acts<'w> {
         power
     }
 
-    /// A point with mass: Q = −m r_qᵀ (r̈ − g).
+    /// Adds a point with mass: Q = −m r_qᵀ (r̈ − g).
     fn point(&mut self, rows: &[Row], mass: f64, gravity: [f64; 3]) {
         for (row, g) in rows.iter().zip(gravity) {
             let rate = self.rate_of(row);
@@ -108,12 +109,12 @@ impl<'w> Acts<'w> {
         }
     }
 
-    /// C_q q̇ + C_t of a row.
+    /// Returns C_q q̇ + C_t of a row.
     fn rate_of(&mut self, row: &Row) -> Node {
         self.along(row, row.by_time, |column| Input::Rate(column, SELF))
     }
 
-    /// C_q q̈ − Q_d of a row.
+    /// Returns C_q q̈ − Q_d of a row.
     fn second_of(&mut self, row: &Row) -> Node {
         self.along(row, row.second, Input::Parameter)
     }
@@ -126,7 +127,7 @@ impl<'w> Acts<'w> {
         })
     }
 
-    /// A load; its parts act on a coordinate together.
+    /// Adds a load; its parts are summed for each coordinate.
     fn load(&mut self, system: &System, load: &Laid<'_>) -> Result<(), &'static str> {
         let zero = self.graph().zero();
         let mut own = vec![zero; self.whole.n];
@@ -167,18 +168,18 @@ impl<'w> Acts<'w> {
         Ok(())
     }
 
-    /// The one row of an energy, of a length or an angle.
+    /// Returns the one row of an energy, of a length or of an angle.
     fn row(&mut self, system: &System, constraint: &dyn Constraint) -> Result<Row, &'static str> {
         self.whole.rows_of(system, constraint)?.into_iter().next().ok_or(UNREAD)
     }
 
-    /// f(x, ẋ, t)
+    /// Returns f(x, ẋ, t).
     fn along_force(&mut self, force: &ForceAlong, of: [Node; 2]) -> Result<Node, &'static str> {
         let ForceAlong::Written(force) = force else { return Err(CLOSURE) };
         self.whole.value_of(force.as_ref(), &of)
     }
 
-    /// Q of a force at a point and a torque.
+    /// Returns Q of a force at a point and a torque.
     fn on_body(&mut self, on: &OnBody, first: usize) -> Result<Vec<(usize, Node)>, &'static str> {
         let orders = along_motion(self.whole, first, on.target.columns());
         let graph = &mut self.whole.graph;

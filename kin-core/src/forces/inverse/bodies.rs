@@ -1,4 +1,4 @@
-//! The balance of one body as nodes, as `forces/body.rs` has it in numbers.
+//! The balance of one body as nodes; `forces/body.rs` computes it with numbers.
 
 use kin_graph::differentiate::Jets;
 use kin_graph::{Function, Graph, Input, Node};
@@ -11,17 +11,17 @@ use crate::model::loads::Solid;
 use crate::numbers::algebra::Vec3;
 use crate::program::SELF;
 
-/// The generalised forces of one body, and the height of its weight.
+/// The generalised forces of one body, and its potential energy.
 struct Balance {
-    /// M q̈ − Q_v.
+    /// M q̈ − Q_v, one node for each coordinate of the body.
     moving: Vec<Node>,
     weight: Vec<Node>,
-    /// −m g · r_c.
+    /// The potential energy of the weight, −m g · r_c.
     potential: Node,
 }
 
 impl Acts<'_> {
-    /// A body whose coordinates are numbers `first` on.
+    /// Adds a body whose coordinates begin at index `first`.
     pub(super) fn body(&mut self, solid: &Solid, gravity: [f64; 3], first: usize, count: usize) {
         let orders = along_motion(self.whole, first, count);
         let graph = self.graph();
@@ -48,7 +48,7 @@ impl Acts<'_> {
     }
 }
 
-/// A c of a planar body by sine and cosine of its angle.
+/// Returns A c of a planar body, from sine and cosine of its angle.
 fn lever(graph: &mut Graph, theta: Node, [x, y]: [f64; 2]) -> [Node; 2] {
     let sin = graph.call(Function::Sin, theta);
     let cos = graph.call(Function::Cos, theta);
@@ -57,8 +57,8 @@ fn lever(graph: &mut Graph, theta: Node, [x, y]: [f64; 2]) -> [Node; 2] {
     [graph.sub(a, b), graph.add(c, d)]
 }
 
-/// m a_c acts at the centre, J θ̈ about it: in global axes, for what is turned into those of the
-/// body has to be turned back.
+/// Computes a planar body: m a_c acts at the centre, J θ̈ about it. Global axes avoid a rotation
+/// into the axes of the body and back.
 fn planar(
     graph: &mut Graph,
     solid: &Solid,
@@ -91,7 +91,8 @@ fn planar(
     Balance { moving, weight, potential: graph.neg(height) }
 }
 
-/// m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it, in the body's axes.
+/// Computes a spatial body: m a_c acts at the centre, J ω̄̇ + ω̄ × J ω̄ about it, in the axes of
+/// the body.
 fn spatial(graph: &mut Graph, solid: &Solid, gravity: Vec3, orders: [&[Node]; 3]) -> Balance {
     let frame = Frame::new(graph, orders);
     let c = graph.vector(solid.centre);
@@ -121,8 +122,8 @@ fn spatial(graph: &mut Graph, solid: &Solid, gravity: Vec3, orders: [&[Node]; 3]
     Balance { moving, weight, potential: graph.dot(upwards, at) }
 }
 
-/// T and dT/dt of a planar body in graphs of its own: coordinates are states, their rates the
-/// states behind them, so that T is differentiated by both.
+/// Returns T and dT/dt of a planar body in separate graphs. Coordinates are states, and their
+/// velocities are the states that follow, so T can be differentiated by both.
 fn planar_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
     let mut graph = Graph::default();
     let [theta, vx, vy, w] = [2, 3, 4, 5].map(|k| graph.input(Input::State(k, SELF)));
@@ -137,7 +138,7 @@ fn planar_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
     with_rate(graph, kinetic)
 }
 
-/// The same of a spatial body.
+/// Returns T and dT/dt of a spatial body in separate graphs.
 fn spatial_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
     let mut graph = Graph::default();
     let count = 7;
@@ -157,17 +158,17 @@ fn spatial_kinetic(solid: &Solid) -> [(Graph, Node); 2] {
     with_rate(graph, kinetic)
 }
 
-/// T beside its derivative along the motion.
+/// Returns T, and its derivative along the motion.
 fn with_rate(mut graph: Graph, kinetic: Node) -> [(Graph, Node); 2] {
     let rate = Jets::default().of(&mut graph, kinetic).first;
     [(graph.clone(), kinetic), (graph, rate)]
 }
 
-/// A node of such a graph in that of the whole, by a body's coordinates there.
+/// Copies a node of such a graph to the whole graph, with the body's coordinates there.
 fn moved(graph: &mut Graph, own: &Graph, node: Node, orders: &[Vec<Node>; 3]) -> Node {
     let count = orders[0].len();
     let found = copied(own, node, graph, &nothing_outside, &mut |_, input| {
-        // The rate of a state behind the coordinates is a second rate.
+        // The derivative of a state that is a velocity is an acceleration.
         let (order, k) = match input {
             Input::State(k, _) => (k / count, k % count),
             Input::Rate(k, _) => (1 + k / count, k % count),

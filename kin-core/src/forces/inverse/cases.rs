@@ -5,9 +5,11 @@ use crate::model::error::Result;
 use crate::solve::sweep::Sweep;
 
 impl Sweep<'_> {
-    /// Runs every case over the times as [`Sweep::run`] does, and gives what `keep` makes of the
-    /// forces of each, in the order of the cases: those that [`crate::System::forces`] finds with
-    /// the numbers of the case, or the error that ended its motion or its forces.
+    /// Runs every case over the times as [`Sweep::run`] does, and returns what `keep` computes from
+    /// the forces of each case, in order.
+    ///
+    /// `keep` receives the forces with the numbers of the case ([`crate::System::forces`]), or the
+    /// error that ended its motion or its forces.
     ///
     /// ```
     /// # use kin::prelude::*;

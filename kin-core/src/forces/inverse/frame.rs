@@ -1,4 +1,4 @@
-//! A body as nodes: where it is, how it moves, and the coordinates that forces on it act on.
+//! A body as nodes: its position, its motion, and the coordinates on which forces act.
 
 use kin_graph::{Graph, Input, Node};
 
@@ -6,27 +6,27 @@ use super::vectors::{Nodes3, Vectors, transposed};
 use crate::model::layout::Kind;
 use crate::program::{SELF, Whole};
 
-/// Position and rates of a body's frame.
+/// The position, velocity and acceleration of a body's frame.
 pub(super) struct Frame {
     /// R, and A by rows.
     pub r: Nodes3,
     pub a: [Nodes3; 3],
-    /// Ṙ, and ω̄ in the body's axes.
+    /// Ṙ, and ω̄ in the axes of the body.
     pub rate: Nodes3,
     pub omega: Nodes3,
     /// R̈ and ω̄̇.
     pub second: Nodes3,
     pub alpha: Nodes3,
-    /// Euler parameters; none of a planar body.
+    /// The Euler parameters; `None` for a planar body.
     p: Option<[Node; 4]>,
 }
 
-/// The number of coordinates of a body; `None` of what is none.
+/// Returns the number of coordinates of a body, or `None` for a scalar coordinate.
 pub(super) fn coordinates(kind: Kind) -> Option<usize> {
     matches!(kind, Kind::Planar | Kind::Spatial).then(|| kind.coordinates().len())
 }
 
-/// q, q̇ and q̈ of a body whose coordinates are numbers `first` on of a motion.
+/// Returns q, q̇ and q̈ of a body whose coordinates begin at index `first` of a motion.
 pub(super) fn along_motion(whole: &mut Whole, first: usize, count: usize) -> [Vec<Node>; 3] {
     let all = first..first + count;
     let q = all.clone().map(|k| whole.coordinate(k)).collect();
@@ -35,7 +35,7 @@ pub(super) fn along_motion(whole: &mut Whole, first: usize, count: usize) -> [Ve
 }
 
 impl Frame {
-    /// By its coordinates and their rates.
+    /// Creates the frame from the coordinates and their derivatives.
     pub(super) fn new(graph: &mut Graph, [q, qd, qdd]: [&[Node]; 3]) -> Frame {
         let zero = graph.zero();
         match q {
@@ -64,17 +64,17 @@ impl Frame {
         }
     }
 
-    /// A v of a vector in the body's axes.
+    /// Returns A v of a vector in the axes of the body.
     pub(super) fn global(&self, graph: &mut Graph, v: Nodes3) -> Nodes3 {
         graph.apply(self.a, v)
     }
 
-    /// Aᵀ v of a global vector.
+    /// Returns Aᵀ v of a global vector.
     pub(super) fn local(&self, graph: &mut Graph, v: Nodes3) -> Nodes3 {
         graph.apply(transposed(self.a), v)
     }
 
-    /// Q of a global force at the body's origin and a torque in its axes: (F, 2 Ḡᵀ T̄).
+    /// Returns Q of a global force at the body's origin and a torque in its axes: (F, 2 Ḡᵀ T̄).
     pub(super) fn generalised(&self, graph: &mut Graph, f: Nodes3, torque: Nodes3) -> Vec<Node> {
         let Some([e0, e @ ..]) = self.p else { return vec![f[0], f[1], torque[2]] };
         // p (0, T̄), twice.
@@ -89,7 +89,7 @@ impl Frame {
     }
 }
 
-/// ω̄ = 2 Ḡ ṗ: twice the vector of p* ṗ.
+/// Returns ω̄ = 2 Ḡ ṗ: twice the vector part of p* ṗ.
 fn omega(graph: &mut Graph, [e0, e @ ..]: [Node; 4], rate: &[Node]) -> Nodes3 {
     let f0 = rate[0];
     let f = [rate[1], rate[2], rate[3]];

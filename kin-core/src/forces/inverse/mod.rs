@@ -1,9 +1,10 @@
 //! Inverse dynamics as one tape of the whole mechanism, replayed over several times of a motion at
-//! once: M q̈ and Q_v of all bodies, loads, and C_qᵀ λ = Q by an elimination of nodes, transposed.
+//! once. The tape contains M q̈ and Q_v of all bodies, loads, and C_qᵀ λ = Q by a transposed
+//! elimination of nodes.
 //!
-//! The balances are the tape's outputs beside λ. What cannot be a tape (redundant mechanisms,
-//! friction, loads that are closures) is told by name and left to the walk over the times, as are
-//! times at which a pivot is small beside that of the first one, or anything is not finite.
+//! Its outputs are λ and the balances. Redundant mechanisms, friction and closures as loads have no
+//! tape; the reason names them, and the forces are computed time by time. The same applies to times
+//! at which a pivot is small relative to that of the first time, or a number is not finite.
 
 mod acting;
 mod bodies;
@@ -24,18 +25,19 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 use acting::Acts;
 
-/// Times from which on compiling saves more than it takes.
+/// The number of times from which compiling saves more than it costs.
 const LEAST: usize = 50;
 
 const RUBS: &str = "friction and the force that it comes from are solved together at each time";
 const SINGULAR: &str = "the first position is singular";
 
-/// True if a motion has so many times that a tape is worth its while.
+/// Returns true if a motion has enough times for a tape.
 pub(super) fn pays(motion: &Motion) -> bool {
     motion.len() >= LEAST
 }
 
-/// λ and the powers of all times into these; gives the times that are left to the walk.
+/// Writes λ and the powers of all times, and returns the times that remain for the computation time
+/// by time.
 pub(super) fn fill(
     system: &System,
     motion: &Motion,
@@ -50,7 +52,7 @@ pub(super) fn fill(
     tape.run(motion, &|_| None, sink).ok_or(whole(NO_LANES))
 }
 
-/// T and V of all times; `None` where there is no tape of them, or where it has no finite numbers.
+/// Returns T and V of all times, or `None` if they have no tape, or if a number is not finite.
 pub(super) fn energies(
     system: &System,
     motion: &Motion,
@@ -64,15 +66,15 @@ pub(super) fn energies(
     tape.run(motion, &|_| None, sink)?.is_empty().then_some(all)
 }
 
-/// A tape, or why there is none, with what it was made for: of another position the numbers would
-/// be the same but for the last digits, and those must not depend on what was asked before.
+/// A tape, or the reason why there is none, with the data from which it was made. A tape from
+/// another position has other last digits, and these must not depend on earlier calls.
 struct Cached {
     begin: Begin,
     tape: Result<Arc<Guarded>, Refusal>,
 }
 
-/// All that a tape is made by, as bits: the first time, where coordinates stand there, and which of
-/// them stand still along the motion.
+/// All data from which a tape is made, as bits: the first time, the coordinates there, and which
+/// coordinates are constant along the motion.
 #[derive(Clone, PartialEq)]
 struct Begin {
     t: u64,
@@ -81,7 +83,7 @@ struct Begin {
 }
 
 impl Begin {
-    /// `None` of a motion without times.
+    /// Returns `None` for a motion without times.
     fn of(system: &System, motion: &Motion) -> Option<Begin> {
         let t = motion.times().first()?.to_bits();
         Some(Begin {
@@ -100,10 +102,10 @@ impl Begin {
     }
 }
 
-/// The coordinates that one row without time holds alone: those of frames, and what guides hold of
-/// blocks. A program has looked at that row at each time of its motion, along which they stand
-/// still, so that all that they lead is known beforehand. Of other motions nothing is taken for
-/// granted.
+/// Returns the coordinates that a single row without time holds, such as those of frames and of
+/// guided blocks. The compiled program has checked this row at each time of its motion, so
+/// everything that depends on these coordinates alone is constant. For other motions nothing is
+/// assumed.
 fn still(system: &System, motion: &Motion) -> Vec<bool> {
     let equations = system.equations();
     let mut still = vec![false; system.n_coordinates()];
@@ -114,7 +116,7 @@ fn still(system: &System, motion: &Motion) -> Vec<bool> {
     for (entry, constant) in equations.entries.iter().zip(&equations.constants) {
         let Some((row, column)) = entry else { continue };
         let held = constant.is_some_and(|x| x != 0.0).then_some(*column);
-        // A second entry is one too many.
+        // A second entry excludes the row.
         alone[*row] = Some(if alone[*row].is_none() { held } else { None });
     }
     let steady =
@@ -129,7 +131,7 @@ fn still(system: &System, motion: &Motion) -> Vec<bool> {
     still
 }
 
-/// The tape for motions that begin like this one: made once, and cached beside the system.
+/// Returns the tape for motions that begin like this one. It is made once and kept with the system.
 fn cached(
     system: &System,
     motion: &Motion,
@@ -152,12 +154,12 @@ fn refusal(constraint: &str, reason: &'static str) -> Refusal {
     Refusal { constraint: constraint.to_string(), reason }
 }
 
-/// The tape of a system: λ, and what [`Powers::of_tape`] lists.
+/// Makes the tape of a system: λ, and the list of [`Powers::of_tape`].
 fn tape(system: &System, begin: &Begin, loads: &[(&str, Laid<'_>)]) -> Result<Guarded, Refusal> {
     tape_with(system, begin, loads, |_, _| ())
 }
 
-/// The same, λ as `spoil` leaves it: tests plant faults by that.
+/// Makes the tape with λ changed by `spoil`, which tests use to plant faults.
 fn tape_with(
     system: &System,
     begin: &Begin,
@@ -189,7 +191,7 @@ fn tape_with(
     made.ok_or(refusal("", SINGULAR))
 }
 
-/// λ · C_t
+/// Returns λ · C_t.
 fn along(graph: &mut Graph, lambda: &[Node], by_time: &[Node]) -> Node {
     let zero = graph.zero();
     lambda.iter().zip(by_time).fold(zero, |sum, (lambda, by_time)| {

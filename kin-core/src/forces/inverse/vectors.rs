@@ -4,10 +4,10 @@ use kin_graph::{Function, Graph, Node};
 
 use crate::numbers::algebra::{Mat3, Vec3};
 
-/// x, y and z.
+/// The components x, y and z.
 pub(super) type Nodes3 = [Node; 3];
 
-/// Operations on them, as nodes of a graph.
+/// Operations on vectors, as nodes of a graph.
 pub(super) trait Vectors {
     fn vector(&mut self, v: Vec3) -> Nodes3;
     fn plus(&mut self, a: Nodes3, b: Nodes3) -> Nodes3;
@@ -15,17 +15,17 @@ pub(super) trait Vectors {
     fn times(&mut self, a: Nodes3, factor: f64) -> Nodes3;
     fn dot(&mut self, a: Nodes3, b: Nodes3) -> Node;
     fn cross(&mut self, a: Nodes3, b: Nodes3) -> Nodes3;
-    /// M v of a matrix by rows.
+    /// Returns M v of a matrix by rows.
     fn apply(&mut self, rows: [Nodes3; 3], v: Nodes3) -> Nodes3;
-    /// M v of a matrix of numbers.
+    /// Returns M v of a matrix of numbers.
     fn apply_numbers(&mut self, matrix: Mat3, v: Nodes3) -> Nodes3;
-    /// A of a planar body, by rows.
+    /// Returns A of a planar body, by rows.
     fn turn(&mut self, angle: Node) -> [Nodes3; 3];
-    /// A(p) = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, by rows.
+    /// Returns A(p) = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, by rows.
     fn rotation(&mut self, p: [Node; 4]) -> [Nodes3; 3];
 }
 
-/// Mᵀ
+/// Returns Mᵀ.
 pub(super) fn transposed(rows: [Nodes3; 3]) -> [Nodes3; 3] {
     std::array::from_fn(|i| std::array::from_fn(|j| rows[j][i]))
 }
@@ -90,7 +90,7 @@ impl Vectors for Graph {
         let square = self.mul(scalar, e0);
         let one = self.constant(1.0);
         let diagonal = self.sub(square, one);
-        // ẽ, with the number of the component and its sign.
+        // ẽ, as index of the component with its sign.
         let skew =
             [[(0, 0), (2, -1), (1, 1)], [(2, 1), (0, 0), (0, -1)], [(1, -1), (0, 1), (0, 0)]];
         [0, 1, 2].map(|i| {

@@ -8,56 +8,65 @@ use kin_macros::{constraint, potential};
 
 use super::{force_by, viscous};
 
-/// The distance of two points, |r_Pi − r_Pj|: a length to act along.      \[m\]
+/// Returns the distance of two points, |r_Pi − r_Pj|, as a length to act along. \[m\]
 ///
-/// `u_i`, `u_j`: the points. Where they meet it has no slope.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. Where the
+/// points meet, the distance has no derivative.
 ///
-/// Signs: none; a force along it pushes the points apart.
+/// Signs: none. A positive force along the distance pushes the points apart.
 #[constraint]
 pub fn length(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm()
 }
 
-/// A spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)².      \[J\]
+/// Acts as a spring between two points: V = ½ k (|r_Pi − r_Pj| − l0)². \[J\]
 ///
-/// `u_i`, `u_j`: the points; `stiffness`: k, `free`: l0, its length without force. Shabana,
-/// *Computational Dynamics*, section 5.2.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `stiffness` is
+/// k \[N/m\]. `free` is l0, the length without force \[m\]. Shabana, *Computational Dynamics*,
+/// section 5.2.
 ///
-/// Signs: longer than l0 it pulls the points together.
+/// Signs: a spring longer than l0 pulls the points together.
 #[potential]
 pub fn spring(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, stiffness: f64, free: f64) -> f64 {
     let stretch = (i.point(u_i) - j.point(u_j)).norm() - free;
     0.5 * stiffness * stretch * stretch
 }
 
-/// How far P_i is along a direction of body j: h_j · (r_Pi − r_Pj), a length to act along.   \[m\]
+/// Returns the displacement of P_i along a direction of body j, h_j · (r_Pi − r_Pj), as a length to
+/// act along. \[m\]
 ///
-/// `u_i`, `u_j`: the points; `h_j`: the direction in body j, such as the axis of a cylinder.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `h_j` is the
+/// direction in body j, such as the axis of a cylinder.
 ///
-/// Signs: a force along it pushes P_i along h_j, and j the other way.
+/// Signs: a positive force along the displacement pushes P_i along h_j and body j in the opposite
+/// direction.
 #[constraint]
 pub fn slide(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) -> f64 {
     j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j))
 }
 
-/// The turn of body i in body j about an axis, from f_j to f_i: an angle to act along.      \[rad\]
+/// Returns the angle of body i relative to body j about an axis, from f_j to f_i, as an angle to
+/// act along. \[rad\]
 ///
-/// `h_i`, `h_j`: the common axis in either body, held parallel by a joint. Between −π and π: a
-/// spring that is wound further belongs on a separate coordinate (`spatial::relative_angle`).
+/// `h_i` and `h_j` are the common axis in body i and body j. A joint must hold the axes parallel.
+/// The angle is between −π and π. For a spring wound further use a separate coordinate
+/// (`spatial::relative_angle`).
 ///
-/// Signs: a torque along it turns i right-handed about h_j, and j the other way.
+/// Signs: a positive torque along the angle turns i right-handed about h_j, and j in the opposite
+/// direction.
 #[constraint]
 pub fn turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis) -> f64 {
     let f = i.direction(h_i.f);
     f.dot(j.direction(h_j.g)).atan2(f.dot(j.direction(h_j.f)))
 }
 
-/// A torsion spring about an axis: V = ½ k (φ − φ0)², φ the turn of i in j.      \[J\]
+/// Acts as a torsion spring about an axis: V = ½ k (φ − φ0)², where φ is the angle of i relative to
+/// j. \[J\]
 ///
-/// `h_i`, `h_j`: the common axis in either body; `stiffness`: k, `free`: φ0. It is wound by π at
-/// most to either side.
+/// `h_i` and `h_j` are the common axis in body i and body j. `stiffness` is k \[N m/rad\]. `free`
+/// is φ0 \[rad\]. Kin takes φ − φ0 between −π and π.
 ///
-/// Signs: turned beyond φ0, body i is turned back.
+/// Signs: beyond φ0 the spring turns body i back.
 #[potential]
 pub fn torsion_spring(
     i: Spatial,
@@ -75,13 +84,15 @@ pub fn torsion_spring(
     0.5 * stiffness * turn * turn
 }
 
-/// An elastic bushing: V = ½ Σ k d² + 2 Σ κ e², d the way from P_j to P_i as body j sees it, e the
-/// vector part of the Euler parameters of i in j; for small turns 2 e is the turn.   \[J\]
+/// Acts as an elastic bushing: V = ½ Σ k d² + 2 Σ κ e², where d is the vector from P_j to P_i in
+/// the frame of j and e the rotation of i. \[J\]
 ///
-/// `u_i`, `u_j`: the points; `p_j`: the Euler parameters of i in j without torque; `stiffness`: k
-/// along the axes of j \[N/m\], `torsion`: κ about them \[N m/rad\].
+/// e is the vector part of the Euler parameters of i relative to j; for small rotations 2 e is the
+/// angle. `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `p_j`
+/// are the Euler parameters of i relative to j without torque. `stiffness` is k along the axes of j
+/// \[N/m\]. `torsion` is κ about them \[N m/rad\].
 ///
-/// Signs: it pulls P_i back to P_j and turns i back.
+/// Signs: the bushing pulls P_i back to P_j and turns i back.
 #[potential]
 #[require(p_j.norm() > 0.0, "Euler parameters are not all zero")]
 pub fn bushing(
@@ -100,22 +111,25 @@ pub fn bushing(
     0.5 * pulled + 2.0 * turned
 }
 
-/// A component of the turn of body i in body j: 2 e · h_j, an angle to act along where it is
-/// small.      \[rad\]
+/// Returns a component of a small rotation of body i in body j, 2 e · h_j, as an angle to act
+/// along. \[rad\]
 ///
-/// `p_j`: the Euler parameters of i in j where it is zero, `h_j`: the direction in body j.
+/// e is the vector part of the Euler parameters of i relative to j. `p_j` are these Euler
+/// parameters where the angle is zero. `h_j` is the direction in body j.
 ///
-/// Signs: a torque along it turns i right-handed about h_j, and j the other way.
+/// Signs: a positive torque along the angle turns i right-handed about h_j, and j in the opposite
+/// direction.
 #[constraint]
 pub fn small_turn(i: Spatial, j: Spatial, p_j: EulerParameters, h_j: Axis) -> f64 {
     2.0 * j.p.conjugate().product(i.p).product(p_j.normalize().conjugate()).vector().dot(h_j.h)
 }
 
-/// A bushing with damping: the energy of [`bushing`](fn@bushing), and dampers along its way and its
-/// turns. \[N, N m\]
+/// Acts as a bushing with damping: the energy of [`bushing`](fn@bushing), and dampers along its
+/// displacements and rotations. \[N, N m\]
 ///
-/// `u`: P_i and P_j; `p_j`: the Euler parameters of i in j without torque; `stiffness`, `damping`:
-/// along the axes of body j, then about them.
+/// `u` contains the local positions of P_i and P_j \[m\]. `p_j` are the Euler parameters of i
+/// relative to j without torque. `stiffness` and `damping` contain the values along the axes of
+/// body j, then about these axes.
 pub fn damped_bushing(
     i: impl IntoSpatialBody,
     j: impl IntoSpatialBody,
@@ -139,8 +153,11 @@ pub fn damped_bushing(
     )
 }
 
-/// A damper between two points: the force −c d|r_Pi − r_Pj|/dt along the line, apart
-/// positive.   \[N s/m\]
+/// Acts as a damper between two points: f = −c d|r_Pi − r_Pj|/dt along the line, where a positive
+/// force pushes the points apart. \[N\]
+///
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `damping` is c
+/// \[N s/m\].
 pub fn damper(
     i: impl IntoSpatialBody,
     j: impl IntoSpatialBody,
@@ -151,8 +168,10 @@ pub fn damper(
     viscous(length(i, j, u_i.into(), u_j.into()), damping)
 }
 
-/// A strut or cylinder between two points whose force is a law of its length: positive pushes the
-/// points apart.   \[N\]
+/// Acts as a strut or cylinder between two points, with a force that is a law of its length. \[N\]
+///
+/// A positive force pushes the points apart. `u_i` and `u_j` are the local positions of the points
+/// in body i and body j \[m\].
 pub fn strut(
     i: impl IntoSpatialBody,
     j: impl IntoSpatialBody,

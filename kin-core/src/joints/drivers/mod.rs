@@ -1,6 +1,7 @@
-//! Driving constraints: what a motor or a prescribed path asks for, as an equation with time in it.
+//! Drivers: equations with time that prescribe the motion of a motor, a cylinder or a path.
 //!
-//! Those of coordinates and of planar bodies are here; those of spatial bodies are in [`spatial`].
+//! This module contains the drivers of coordinates and planar bodies. Those of spatial bodies are
+//! in [`spatial`].
 
 mod planar;
 pub mod spatial;

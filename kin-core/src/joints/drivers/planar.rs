@@ -4,46 +4,48 @@ use crate::model::law::Law;
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
-/// A coordinate follows a law of time: q − f(t) = 0.      \[unit of q\]
+/// Makes a coordinate follow a law of time: q − f(t) = 0. \[unit of q\]
 ///
-/// Any bare coordinate, or one of a body's: `body.theta()`, `body.x()`. Lecture, "Driving
-/// Constraints": simple driver.
+/// `q` is a scalar coordinate or a coordinate of a body: `body.theta()`, `body.x()`. `law` is f.
+/// Lecture, "Driving Constraints": simple driver.
 ///
-/// Signs: those of the coordinate; a body's R_x, R_y are global, its θ is counter-clockwise
+/// Signs: those of the coordinate. R_x and R_y of a body are global; its θ is counter-clockwise
 /// positive.
 #[constraint]
 pub fn drive(q: Coord, law: Law, t: Time) -> f64 {
     q - law.at(t)
 }
 
-/// The angle of a body follows a law of time: θ − f(t) = 0.      \[rad\]
+/// Makes the angle of a body follow a law of time: θ − f(t) = 0. \[rad\]
 ///
-/// Angles are not wrapped, so the law may go on for any number of turns. Lecture, "Driving
-/// Constraints".
+/// `law` is f \[rad\]. Angles are not wrapped, so the law can count any number of revolutions.
+/// Lecture, "Driving Constraints".
 ///
-/// Signs: counter-clockwise positive, from the global x-axis to the body's.
+/// Signs: counter-clockwise positive, from the global x-axis to the x-axis of the body.
 #[constraint]
 pub fn drive_angle(body: Planar, law: Law, t: Time) -> f64 {
     body.theta - law.at(t)
 }
 
-/// The angle between two bodies follows a law of time: θ_i − θ_j − f(t) = 0.      \[rad\]
+/// Makes the angle between two bodies follow a law of time: θ_i − θ_j − f(t) = 0. \[rad\]
 ///
-/// Any number of turns. A motor on body j that turns body i. Haug, section 3.5.
+/// `law` is f \[rad\]; it can count any number of revolutions. Use it for a motor on body j that
+/// turns body i. Haug, section 3.5.
 ///
-/// Signs: the turn of i in j, counter-clockwise positive.
+/// Signs: the angle is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
 pub fn drive_relative_angle(i: Planar, j: Planar, law: Law, t: Time) -> f64 {
     i.theta - j.theta - law.at(t)
 }
 
-/// A slide follows a law of time: h_j · (s − ū_j) − f(t) = 0, s the point P_i as body j sees
-/// it.   \[m\]
+/// Makes a displacement along a line of body j follow a law of time: h_j · (s − ū_j) − f(t) = 0,
+/// where s is P_i in the frame of j. \[m\]
 ///
-/// `u_i`: P_i; `u_j`: from where, `h_j`: along which direction in body j, of any length. A cylinder
-/// or a linear motor. Haug, section 3.5.
+/// `u_i` is the local position of P_i in body i \[m\]. `u_j` is the point of body j where the
+/// displacement is zero \[m\]. `h_j` is the direction of the line in body j, of any length. `law`
+/// is f \[m\]. Use it for a cylinder or a linear motor. Haug, section 3.5.
 ///
-/// Signs: the slide grows as P_i moves along h_j in j.
+/// Signs: the displacement grows as P_i moves along h_j in j.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the slide needs a direction with a length above zero")]
 pub fn drive_slide(
@@ -59,20 +61,22 @@ pub fn drive_slide(
     h_j.normalize().dot(s) - law.at(t)
 }
 
-/// The distance of two points follows a law of time: |r_Pi − r_Pj| − f(t) = 0.      \[m\]
+/// Makes the distance of two points follow a law of time: |r_Pi − r_Pj| − f(t) = 0. \[m\]
 ///
-/// `u_i`, `u_j`: the points. The law must stay above zero: where the points meet there is no slope.
-/// A hydraulic cylinder. Haug, section 3.5.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `law` is f
+/// \[m\]; it must stay positive, because the distance has no derivative where the points meet. Use
+/// it for a hydraulic cylinder. Haug, section 3.5.
 ///
-/// Signs: none; a distance is above zero.
+/// Signs: none; a distance is positive.
 #[constraint]
 pub fn drive_distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, law: Law, t: Time) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm() - law.at(t)
 }
 
-/// A point of a body follows a path: r_P − (f1(t), f2(t)) = 0.      \[m\]
+/// Makes a point of a body follow a path: r_P − (f1(t), f2(t)) = 0. \[m\]
 ///
-/// `u`: local position of P. Lecture, "Driving Constraints": complex driver.
+/// `u` is the local position of P \[m\]. `path_x` and `path_y` are f1 and f2 \[m\]. Lecture,
+/// "Driving Constraints": complex driver.
 ///
 /// Signs: the laws are global coordinates.
 #[constraint]
@@ -81,10 +85,10 @@ pub fn drive_point(body: Planar, u: Vec2, path_x: Law, path_y: Law, t: Time) -> 
     body.point(u) - path
 }
 
-/// One coordinate of a point follows a law of time: n · r_P − f(t) = 0.      \[m\]
+/// Makes one coordinate of a point follow a law of time: n · r_P − f(t) = 0. \[m\]
 ///
-/// `u`: local position of P; `n`: the global direction along which it is measured, of any length.
-/// Haug, section 3.5.
+/// `u` is the local position of P \[m\]. `n` is the global direction of the coordinate, of any
+/// length. `law` is f \[m\]. Haug, section 3.5.
 ///
 /// Signs: the coordinate grows along `n`, from the global origin.
 #[constraint]

@@ -4,14 +4,16 @@ use crate::model::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Vec3, vec3};
 use kin_macros::constraint;
 
-/// The turn of body i in body j follows a law of time: the turn of f_i from f_j about h_j, taken
-/// back by f(t), is zero.   \[rad\]
+/// Makes the angle of body i relative to body j follow a law of time: φ − f(t) = 0, where φ is the
+/// angle from f_j to f_i about h_j. \[rad\]
 ///
-/// `h_i`, `h_j`: the common axis in either body, held parallel by a joint; f_i and f_j are where
-/// the angle counts from. What is measured is turned back by the law and what remains is driven to
-/// zero: any number of turns, and no jump where a measured angle has its cut. Haug, section 9.5.
+/// `h_i` and `h_j` are the common axis in body i and body j. A joint must hold the axes parallel.
+/// f_i and f_j are the reference directions of the angle. `law` is f \[rad\]. Kin rotates f_i back
+/// by the law and holds the remaining angle at zero, so the law can count any number of
+/// revolutions. Haug, section 9.5.
 ///
-/// Signs: the turn of i in j is right-handed about h_j, zero where f_i lies along f_j.
+/// Signs: the angle is the rotation of i relative to j, right-handed about h_j. It is zero where
+/// f_i lies along f_j.
 #[constraint]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn drive_turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, law: Law, t: Time) -> f64 {
@@ -22,12 +24,14 @@ pub fn drive_turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, law: Law, t: Tim
     (y * cos - x * sin).atan2(x * cos + y * sin)
 }
 
-/// A slide follows a law of time: h_j · (r_Pi − r_Pj) − f(t) = 0.      \[m\]
+/// Makes a displacement along an axis of body j follow a law of time: h_j · (r_Pi − r_Pj) − f(t) =
+/// 0. \[m\]
 ///
-/// `u_i`: P_i; `u_j`: from where, `h_j`: along which direction in body j. A cylinder or a linear
-/// motor. Haug, section 9.5.
+/// `u_i` is the local position of P_i in body i \[m\]. `u_j` is the point P_j of body j where the
+/// displacement is zero \[m\]. `h_j` is the direction of the axis in body j. `law` is f \[m\]. Use
+/// it for a cylinder or a linear motor. Haug, section 9.5.
 ///
-/// Signs: the slide grows as P_i moves along h_j in j.
+/// Signs: the displacement grows as P_i moves along h_j in j.
 #[constraint]
 pub fn drive_slide(
     i: Spatial,
@@ -41,20 +45,22 @@ pub fn drive_slide(
     j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j)) - law.at(t)
 }
 
-/// The distance of two points follows a law of time: |r_Pi − r_Pj| − f(t) = 0.      \[m\]
+/// Makes the distance of two points follow a law of time: |r_Pi − r_Pj| − f(t) = 0. \[m\]
 ///
-/// `u_i`, `u_j`: the points. The law must stay above zero: where the points meet there is no slope.
-/// A leg of a Stewart platform. Haug, section 9.5.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `law` is f
+/// \[m\]; it must stay positive, because the distance has no derivative where the points meet. Use
+/// it for a leg of a Stewart platform. Haug, section 9.5.
 ///
-/// Signs: none; a distance is above zero.
+/// Signs: none; a distance is positive.
 #[constraint]
 pub fn drive_distance(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, law: Law, t: Time) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm() - law.at(t)
 }
 
-/// A point of a body follows a path: r_P − (f1(t), f2(t), f3(t)) = 0.      \[m\]
+/// Makes a point of a body follow a path: r_P − (f1(t), f2(t), f3(t)) = 0. \[m\]
 ///
-/// `u`: local position of P. Lecture, "Driving Constraints": complex driver.
+/// `u` is the local position of P \[m\]. `path_x`, `path_y` and `path_z` are f1, f2 and f3 \[m\].
+/// Lecture, "Driving Constraints": complex driver.
 ///
 /// Signs: the laws are global coordinates.
 #[constraint]
@@ -62,10 +68,10 @@ pub fn drive_point(body: Spatial, u: Vec3, path_x: Law, path_y: Law, path_z: Law
     body.point(u) - vec3(path_x.at(t), path_y.at(t), path_z.at(t))
 }
 
-/// One coordinate of a point follows a law of time: n · r_P − f(t) = 0.      \[m\]
+/// Makes one coordinate of a point follow a law of time: n · r_P − f(t) = 0. \[m\]
 ///
-/// `u`: local position of P; `n`: the global direction along which it is measured. Haug, section
-/// 9.5.
+/// `u` is the local position of P \[m\]. `n` is the global direction of the coordinate. `law` is f
+/// \[m\]. Haug, section 9.5.
 ///
 /// Signs: the coordinate grows along `n`, from the global origin.
 #[constraint]
@@ -73,14 +79,15 @@ pub fn drive_point_along(body: Spatial, u: Vec3, n: Axis, law: Law, t: Time) -> 
     n.h.dot(body.point(u)) - law.at(t)
 }
 
-/// Body i turns in body j about an axis by a law of time: the vector part of p(t)* p_j* p_i is
-/// zero, p(t) = (cos f/2, h_j sin f/2).   \[–\]
+/// Makes body i rotate relative to body j about an axis by a law of time: vec(p(t)* p_j* p_i) = 0
+/// with p(t) = (cos f/2, h_j sin f/2). \[–\]
 ///
-/// Three rows. `h_j`: the axis in body j. Any number of turns. Nikravesh, *Computer-Aided Analysis
-/// of Mechanical Systems*, ch. 6.
+/// The joint has three rows. vec is the vector part of a product of Euler parameters, and * the
+/// conjugate. `h_j` is the axis in body j. `law` is f \[rad\]; it can count any number of
+/// revolutions. Nikravesh, *Computer-Aided Analysis of Mechanical Systems*, ch. 6.
 ///
-/// Signs: the turn of i in j is right-handed about h_j; at zero both frames have the same
-/// directions.
+/// Signs: the rotation of i relative to j is right-handed about h_j. At zero the axes of both
+/// frames are parallel.
 #[constraint]
 pub fn drive_rotation(i: Spatial, j: Spatial, h_j: Axis, law: Law, t: Time) -> Vec3 {
     let (sin, cos) = (0.5 * law.at(t)).sin_cos();
@@ -88,14 +95,17 @@ pub fn drive_rotation(i: Spatial, j: Spatial, h_j: Axis, law: Law, t: Time) -> V
     back.product(j.p.conjugate().product(i.p)).vector()
 }
 
-/// Body i is turned in body j by yaw, pitch and roll, laws of time: the vector part of p(t)* p_j*
-/// p_i is zero, p = p_z(yaw) p_y(pitch) p_x(roll).   \[–\]
+/// Makes the orientation of body i in body j follow laws of yaw, pitch and roll: vec(p(t)* p_j*
+/// p_i) = 0 with p = p_z(yaw) p_y(pitch) p_x(roll). \[–\]
 ///
-/// Three rows: an orientation path. First roll about x, then pitch about y, then yaw about z, all
-/// axes those of body j; the same as yaw, pitch and roll about the axes as they move along. Any
-/// number of turns. Shabana, *Computational Dynamics*, section 7.2.
+/// The joint has three rows. vec is the vector part of a product of Euler parameters, and * the
+/// conjugate. The body first rolls about x, then pitches about y, then yaws about z; these are the
+/// axes of body j. The result equals yaw, pitch and roll about the moving axes. `yaw`, `pitch` and
+/// `roll` are angles \[rad\] and can count any number of revolutions. Shabana, *Computational
+/// Dynamics*, section 7.2.
 ///
-/// Signs: each turn is right-handed about its axis; at zero both frames have the same directions.
+/// Signs: each rotation is right-handed about its axis. At zero the axes of both frames are
+/// parallel.
 #[constraint]
 pub fn drive_orientation(i: Spatial, j: Spatial, yaw: Law, pitch: Law, roll: Law, t: Time) -> Vec3 {
     let (sz, cz) = (0.5 * yaw.at(t)).sin_cos();
@@ -107,17 +117,20 @@ pub fn drive_orientation(i: Spatial, j: Spatial, yaw: Law, pitch: Law, roll: Law
     p_z.product(p_yx).conjugate().product(j.p.conjugate().product(i.p)).vector()
 }
 
-/// General motion: a frame of body i moves in a frame of body j by six laws: r_Pi − r_Pj − A_j (x,
-/// y, z)(t) = 0, and the vector part of p(t)* p_j* p_i is zero, p = p_z(yaw) p_y(pitch) p_x(roll),
-/// A_j, p_i and p_j those of the frames.   \[m, –\]
+/// Makes a frame of body i follow six laws in a frame of body j: r_Pi − r_Pj − A_j (x, y, z)(t) = 0
+/// and vec(p(t)* p_j* p_i) = 0 with p = p_z(yaw) p_y(pitch) p_x(roll). \[m, –\]
 ///
-/// Six rows. `u_i`, `p_i`, `u_j`, `p_j`: origin and Euler parameters of the frame in either body
-/// (`EulerParameters::identity()`: the axes of the body itself). First roll about x, then pitch
-/// about y, then yaw about z, all axes those of the frame in j; any number of turns. Another order
-/// of turns is this one between other frames. Shabana, *Computational Dynamics*, section 7.2.
+/// The joint has six rows. A_j, p_i and p_j belong to the two frames; vec is the vector part of a
+/// product of Euler parameters, and * the conjugate. `u_i`, `p_i` and `u_j`, `p_j` are the origin
+/// \[m\] and the Euler parameters of the frame in body i and in body j.
+/// `EulerParameters::identity()` selects the axes of the body itself. `x`, `y`, `z` are
+/// displacements \[m\] and `yaw`, `pitch`, `roll` are angles \[rad\]. The frame first rolls about
+/// x, then pitches about y, then yaws about z; these are the axes of the frame in j. For another
+/// order of rotations choose other frames. The angles can count any number of revolutions. Shabana,
+/// *Computational Dynamics*, section 7.2.
 ///
-/// Signs: x, y, z grow along the axes of the frame in j; each turn is right-handed about its axis;
-/// at zero both frames have the same directions.
+/// Signs: x, y and z grow along the axes of the frame in j. Each rotation is right-handed about its
+/// axis. At zero the axes of both frames are parallel.
 #[constraint]
 #[require(p_i.norm() > 0.0 && p_j.norm() > 0.0, "Euler parameters are not all zero")]
 pub fn drive_motion(
@@ -144,7 +157,7 @@ pub fn drive_motion(
     let p_z = EulerParameters::new(cz, 0.0, 0.0, sz);
     let p_yx =
         EulerParameters::new(cy, 0.0, sy, 0.0).product(EulerParameters::new(cx, sx, 0.0, 0.0));
-    // How body i should stand in body j, taken back from how it stands there.
+    // The difference between the actual orientation of i in j and the prescribed one.
     let meant = frame_j.product(p_z.product(p_yx)).product(frame_i.conjugate());
     (
         i.point(u_i) - j.point(u_j + place),

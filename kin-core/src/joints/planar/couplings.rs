@@ -1,64 +1,68 @@
-//! Couplings of turns and slides. Angles of planar bodies are never wrapped, so any number of turns
-//! is counted.
+//! Couplings of rotations and displacements. Angles of planar bodies are never wrapped, so a
+//! coupling counts any number of revolutions.
 
 use super::terms::{self, TERMS};
 use crate::model::coordinates::{Coordinate, Ground};
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
-/// Pair of gears on an arm: r_i (θ_i − θ_arm − φ) + r_j (θ_j − θ_arm) = 0.      \[m\]
+/// Meshes two external gears on an arm: r_i (θ_i − θ_arm − φ) + r_j (θ_j − θ_arm) = 0. \[m\]
 ///
-/// Removes 1 freedom. `i`, `j`: the wheels, whose axles sit on `arm` (the ground for axles that
-/// stand still); `r_i`, `r_j`: their pitch radii; `phase`: φ, the angle of i beside the arm when j
-/// is in line with it. Norton, *Design of Machinery*, ch. 9.
+/// Removes 1 freedom. `i` and `j` are the wheels. `arm` is the body that carries both axles; use
+/// the ground for axles at rest. `r_i` and `r_j` are the pitch radii \[m\]. `phase` is φ, the angle
+/// of i relative to the arm when j is in line with the arm \[rad\]. Norton, *Design of Machinery*,
+/// ch. 9.
 ///
-/// Signs: seen from the arm the wheels turn against each other; all angles are counter-clockwise
-/// positive.
+/// Signs: relative to the arm the wheels turn in opposite directions. All angles are
+/// counter-clockwise positive.
 #[constraint]
 #[require(r_i > 0.0 && r_j > 0.0, "pitch radii are above zero")]
 pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) + r_j * (j.theta - arm.theta)
 }
 
-/// Gear in a ring on an arm: r_i (θ_i − θ_arm − φ) − r_j (θ_j − θ_arm) = 0.      \[m\]
+/// Meshes a gear with a ring on an arm: r_i (θ_i − θ_arm − φ) − r_j (θ_j − θ_arm) = 0. \[m\]
 ///
-/// Removes 1 freedom. `i`: the wheel with pitch radius `r_i`; `j`: the ring with inner teeth, pitch
-/// radius `r_j`; `arm`, `phase`: as for [`gear`](fn@gear). Norton, ch. 9.
+/// Removes 1 freedom. `i` is the wheel with the pitch radius `r_i` \[m\]. `j` is the ring with
+/// internal teeth and the pitch radius `r_j` \[m\]. `arm` is the body that carries both axles.
+/// `phase` is φ, the angle of i relative to the arm when j is in line with the arm \[rad\]. Norton,
+/// ch. 9.
 ///
-/// Signs: seen from the arm wheel and ring turn the same way; all angles are counter-clockwise
-/// positive.
+/// Signs: relative to the arm the wheel and the ring turn in the same direction. All angles are
+/// counter-clockwise positive.
 #[constraint]
 #[require(r_i > 0.0 && r_j > r_i, "the ring's pitch radius is above the wheel's, and both are above zero")]
 pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) - r_j * (j.theta - arm.theta)
 }
 
-/// Belt or chain over two pulleys: r_i (θ_i − θ_frame − φ) − r_j (θ_j − θ_frame) = 0.      \[m\]
+/// Couples two pulleys by a belt or chain: r_i (θ_i − θ_frame − φ) − r_j (θ_j − θ_frame) = 0. \[m\]
 ///
-/// Removes 1 freedom. `i`, `j`: the pulleys with axles on `frame`; `r_i`, `r_j`: their pitch radii,
-/// one below zero for a crossed belt; `phase`: as for [`gear`](fn@gear). The belt neither slips nor
-/// stretches. Norton, ch. 9.
+/// Removes 1 freedom. `i` and `j` are the pulleys. `frame` is the body that carries both axles.
+/// `r_i` and `r_j` are the pitch radii \[m\]; for a crossed belt make one of them negative. `phase`
+/// is φ, the angle of i relative to the frame when j is in line with the frame \[rad\]. The belt
+/// neither slips nor stretches. Norton, ch. 9.
 ///
-/// Signs: seen from the frame an open belt turns both pulleys the same way, a crossed one against
-/// each other; all angles are counter-clockwise positive.
+/// Signs: relative to the frame an open belt turns both pulleys in the same direction, a crossed
+/// belt in opposite directions. All angles are counter-clockwise positive.
 #[constraint]
 #[require(r_i != 0.0 && r_j != 0.0, "a pulley needs a radius")]
 pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - frame.theta - phase) - r_j * (j.theta - frame.theta)
 }
 
-/// Rack and pinion: h_j · (s − ū_j) + r (θ_i − θ_j − φ) = 0, s the pinion's centre as the rack sees
-/// it.
-///    \[m\]
+/// Meshes a pinion with a rack: h_j · (s − ū_j) + r (θ_i − θ_j − φ) = 0, where s is the pinion's
+/// centre in the rack's frame. \[m\]
 ///
-/// Removes 1 freedom. `i`: the pinion, centre `u_i`, pitch radius `radius`: r; `j`: the rack, a
-/// point `u_j` and the direction `h_j` of its pitch line, of any length; `phase`: φ, the angle of
-/// the pinion in the rack when its centre stands over `u_j`. Norton, ch. 9. Measures: `slide`, the
-/// way of the centre along h_j; `angle`, θ_i − θ_j.
+/// Removes 1 freedom. `i` is the pinion, `u_i` its centre \[m\] and `radius` its pitch radius r
+/// \[m\]. `j` is the rack, `u_j` a point of its pitch line \[m\] and `h_j` the direction of that
+/// line, of any length. `phase` is φ, the angle of the pinion relative to the rack when the
+/// pinion's centre is over `u_j` \[rad\]. Norton, ch. 9. Measures: `slide`, the displacement of the
+/// centre along h_j; `angle`, θ_i − θ_j.
 ///
-/// Signs: the pinion is to the left of h_j (a negative radius: to its right). As it goes along h_j
-/// in the rack it turns clockwise; a pinion that turns counter-clockwise in place sends the rack
-/// along h_j. The angle is counter-clockwise positive.
+/// Signs: the pinion is to the left of h_j; with a negative radius it is to the right. When the
+/// pinion moves along h_j in the rack, it turns clockwise. A pinion that turns counter-clockwise in
+/// place moves the rack along h_j. The angle is counter-clockwise positive.
 #[constraint]
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[require(h_j.norm() > 0.0, "the rack needs a direction with a length above zero")]
@@ -77,17 +81,18 @@ pub fn rack_and_pinion(
     h_j.normalize().dot(s) + radius * (i.theta - j.theta - phase)
 }
 
-/// Wheel that rolls without slip: h_j × (s − ū_j) − r = 0 and h_j · (s − ū_j) + r (θ_i − θ_j −
-/// φ) = 0.
-///    \[m, m\]
+/// Rolls a wheel on a straight track without slip: h_j × (s − ū_j) − r = 0 and h_j · (s − ū_j) + r
+/// (θ_i − θ_j − φ) = 0. \[m, m\]
 ///
-/// Removes 2 freedoms: contact, and slip. `i`: the wheel, centre `u_i`, `radius`: r; `j`: the
-/// track, a point `u_j` and the direction `h_j` of its line, of any length; `phase`: φ, the angle
-/// of the wheel in the track when its centre stands over `u_j`. Haug, section 3.4. Measures:
-/// `slide`, the way of the centre along h_j; `angle`, θ_i − θ_j.
+/// Removes 2 freedoms: the first row keeps contact, the second prevents slip. s is the wheel's
+/// centre in the frame of the track. `i` is the wheel, `u_i` its centre \[m\] and `radius` its
+/// radius r \[m\]. `j` is the track, `u_j` a point of its line \[m\] and `h_j` the direction of
+/// that line, of any length. `phase` is φ, the angle of the wheel relative to the track when the
+/// wheel's centre is over `u_j` \[rad\]. Haug, section 3.4. Measures: `slide`, the displacement of
+/// the centre along h_j; `angle`, θ_i − θ_j.
 ///
-/// Signs: the wheel is to the left of h_j; along h_j it turns clockwise. The angle is
-/// counter-clockwise positive.
+/// Signs: the wheel is to the left of h_j. When the wheel moves along h_j, it turns clockwise. The
+/// angle is counter-clockwise positive.
 #[constraint]
 #[require(radius > 0.0, "a wheel needs a radius above zero")]
 #[require(h_j.norm() > 0.0, "the track needs a direction with a length above zero")]
@@ -109,23 +114,25 @@ pub fn rolling(
     (contact, slip)
 }
 
-/// Linear coupling of two coordinates: k_a a + k_b b − c = 0.      \[unit of c\]
+/// Couples two coordinates linearly: k_a a + k_b b − c = 0. \[unit of c\]
 ///
-/// Removes 1 freedom. `a`, `b`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`).
-/// Of more than two: [`linear_coupling`](fn@linear_coupling). Norton, ch. 9.
+/// Removes 1 freedom. `a` and `b` are scalar coordinates or coordinates of bodies (`wheel.theta()`,
+/// `rack.x()`). `k_a` and `k_b` are their factors, `c` is the sum. For more than two coordinates
+/// use [`linear_coupling`](fn@linear_coupling). Norton, ch. 9.
 ///
-/// Signs: those of the coordinates; with k_a = k_b they go against each other.
+/// Signs: those of the coordinates. With k_a = k_b the coordinates move in opposite directions.
 #[constraint]
 #[require(k_a != 0.0 && k_b != 0.0, "a factor of zero couples nothing")]
 pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
     k_a * a + k_b * b - c
 }
 
-/// Linear coupling of two to six coordinates: Σ k_n q_n − c = 0.
+/// Couples two to six coordinates linearly: Σ k_n q_n − c = 0.
 ///
-/// A differential whose cage turns by half of what its two wheels turn:
+/// For example, the cage of a differential turns by half of the sum of its two wheels:
 /// `linear_coupling([left, right, cage], [1.0, 1.0, -2.0], 0.0)`. To drive a sum, couple it with a
-/// separate coordinate and drive that. The constraint itself is [`type@linear_coupling`].
+/// separate coordinate and drive that coordinate. The function returns the constraint
+/// [`type@linear_coupling`].
 #[must_use]
 pub fn linear_coupling<const N: usize>(
     q: [impl Into<Coordinate>; N],
@@ -139,7 +146,7 @@ pub fn linear_coupling<const N: usize>(
         )
     };
     let mut given = q.into_iter().map(Into::into);
-    // The places left over are filled with coordinates of the ground, which stand still at zero.
+    // Coordinates of the ground fill the unused places. They are always zero.
     let coordinates =
         std::array::from_fn(|_| given.next().unwrap_or(Coordinate::Planar(Ground.into(), 0)));
     terms::linear_coupling(
@@ -149,6 +156,6 @@ pub fn linear_coupling<const N: usize>(
     )
 }
 
-/// The constraint that [`fn@linear_coupling`] makes.
+/// The constraint that [`fn@linear_coupling`] returns.
 #[allow(non_camel_case_types)]
 pub type linear_coupling = terms::linear_coupling;

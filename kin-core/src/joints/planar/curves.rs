@@ -1,4 +1,4 @@
-//! Points and faces on curves given as laws: slots and cams.
+//! Joints that keep a point or a face on a curve given as a law: slots and cams.
 
 use std::f64::consts::TAU;
 
@@ -6,14 +6,14 @@ use crate::model::law::Law;
 use crate::numbers::algebra::{Vec2, vec2};
 use kin_macros::constraint;
 
-/// A point of body i stays on the curve y = f(x) of body j: s_y − f(s_x) = 0, s the point as body j
-/// sees it.
-///    \[m\]
+/// Keeps a point of body i on the curve y = f(x) of body j: s_y − f(s_x) = 0, where s is the point
+/// in the frame of j. \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the point; `curve`: f. Measures: `slide`, s_x; `angle`, θ_i − θ_j.
+/// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `curve` is the law
+/// f \[m\]. Use it for a curved slot. Measures: `slide`, s_x; `angle`, θ_i − θ_j.
 ///
-/// Signs: the slide grows along x of body j, the row along its y; the angle is the turn of i in j,
-/// counter-clockwise positive.
+/// Signs: the slide grows along the x-axis of body j, the row along its y-axis. The angle is the
+/// rotation of i relative to j, counter-clockwise positive.
 #[constraint]
 #[measure(slide = j.local(i.point(u_i)).x, "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
@@ -22,16 +22,16 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
     s.y - curve.at(s.x)
 }
 
-/// Cam with a knife-edge follower: |s| − ρ(φ) = 0, s the tip and φ its angle as the cam sees
-/// them.   \[m\]
+/// Keeps the tip of a knife-edge follower on a cam: |s| − ρ(φ) = 0, where s is the tip in the cam's
+/// frame and φ the angle of s. \[m\]
 ///
-/// Removes 1 freedom. `tip`: local to the follower; `profile`: ρ, the distance of the cam's edge
-/// from the origin of its frame at the angle φ; it has to be 2π-periodic. Norton, *Cam Design and
-/// Manufacturing Handbook*. Measure: `contact`, φ.
+/// Removes 1 freedom. `tip` is the local position of the tip in the follower \[m\]. `profile` is
+/// the law ρ: the distance of the cam's edge from the origin of the cam's frame at the angle φ
+/// \[m\]. The profile must be 2π-periodic. Norton, *Cam Design and Manufacturing Handbook*.
+/// Measure: `contact`, φ.
 ///
-/// Signs: φ is counter-clockwise positive from the cam's own x-axis: as the cam turns
-/// counter-clockwise under a tip that stands still, φ falls. The row is positive outside of the
-/// cam.
+/// Signs: φ is counter-clockwise positive from the x-axis of the cam. When the cam turns
+/// counter-clockwise under a tip at rest, φ falls. The row is positive outside the cam.
 #[constraint]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
 #[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
@@ -40,17 +40,18 @@ pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) ->
     s.norm() - profile.at(s.y.atan2(s.x))
 }
 
-/// Cam with a flat-faced follower: n · (r_P − R_cam) − h(ψ) = 0, n the face's normal and ψ its
-/// angle as the cam sees it.   \[m\]
+/// Keeps the face of a flat-faced follower on a cam: n · (r_P − R_cam) − h(ψ) = 0, where ψ is the
+/// angle of the face's normal n in the cam's frame. \[m\]
 ///
-/// Removes 1 freedom. `u`: a point P of the face, `n`: the direction across the face away from the
-/// cam, both local to the follower; `support`: h, the distance from the origin of the cam's frame
-/// to the edge's tangent whose normal stands at ψ; it has to be 2π-periodic. For a follower that
-/// slides, h is base radius plus lift (Norton, *Cam Design and Manufacturing Handbook*). The point
-/// of contact, which moves on the face by h′, is not needed.
+/// Removes 1 freedom. `u` is the local position of a point P of the face in the follower \[m\]. `n`
+/// is the normal of the face in the follower, pointing away from the cam. `support` is the law h:
+/// the distance from the origin of the cam's frame to the tangent of the edge with a normal at the
+/// angle ψ \[m\]. The law must be 2π-periodic. For a sliding follower h is the base radius plus the
+/// lift (Norton, *Cam Design and Manufacturing Handbook*). The equation does not need the point of
+/// contact, which moves on the face by h′.
 ///
-/// Signs: ψ is counter-clockwise positive from the cam's own x-axis; the row is positive where the
-/// face is off the cam.
+/// Signs: ψ is counter-clockwise positive from the x-axis of the cam. The row is positive where a
+/// gap separates the face from the cam.
 #[constraint]
 #[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
 #[require(n.norm() > 0.0, "the normal of the face needs a length above zero")]
@@ -60,17 +61,18 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
     follower.direction(normal).dot(follower.point(u) - cam.r) - support.at(psi)
 }
 
-/// Cam with a roller: s − ρ e(φ) − r n(φ) = 0, s the roller's centre as the cam sees it, n the
-/// normal of the edge at φ.   \[m, m\]
+/// Keeps a roller follower on a cam: s − ρ e(φ) − r n(φ) = 0, where s is the roller's centre in the
+/// cam's frame and n the normal of the edge at φ. \[m, m\]
 ///
-/// Removes 2 freedoms and adds one, the angle `phi` of the point of contact as the cam sees it: 1
-/// in all. `centre`: of the roller, local to the follower; `radius`: r; `profile`: ρ(φ), the
-/// distance of the edge from the origin of the cam's frame, 2π-periodic. With T = (ρ′, ρ) in the
-/// directions e(φ) and across, n = (ρ, −ρ′)/|T|. A hollow edge must be less curved than the roller.
-/// Norton.
+/// Removes 2 freedoms and adds one, the angle `phi` of the point of contact in the cam's frame: 1
+/// in all. `centre` is the local position of the roller's centre in the follower \[m\]. `radius` is
+/// the radius r of the roller \[m\]. `profile` is the law ρ(φ): the distance of the edge from the
+/// origin of the cam's frame \[m\]. The profile must be 2π-periodic. The normal is n = (ρ,
+/// −ρ′)/|(ρ, ρ′)| in the directions e(φ) and across. The radius of curvature of a concave edge must
+/// be larger than the roller. Norton.
 ///
-/// Signs: φ is counter-clockwise positive from the cam's own x-axis; n points out of the cam, to
-/// the roller's side.
+/// Signs: φ is counter-clockwise positive from the x-axis of the cam. n points out of the cam,
+/// towards the roller.
 #[constraint]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
 #[require(radius >= 0.0, "the radius of a roller cannot be below zero")]

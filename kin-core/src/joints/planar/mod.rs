@@ -1,7 +1,7 @@
 //! Joints between planar bodies.
 //!
-//! Local positions `u_i`, `u_j` and directions `h_i`, `h_j` are in the frames of bodies i and j;
-//! angles are counter-clockwise.
+//! Local positions `u_i`, `u_j` and directions `h_i`, `h_j` are in the frames of bodies i and j.
+//! Angles are counter-clockwise positive.
 
 mod couplings;
 mod curves;

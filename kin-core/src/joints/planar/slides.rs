@@ -1,18 +1,19 @@
-//! Joints that let something slide.
+//! Joints in which a point or a body slides.
 
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 
-/// Sliding joint: θ_i − θ_j − θ0 = 0 and h_i · (r_Pi − r_Pj) = 0.      \[rad, m\]
+/// Lets body i slide along a line of body j without rotation: θ_i − θ_j − θ0 = 0 and h_i · (r_Pi −
+/// r_Pj) = 0. \[rad, m\]
 ///
-/// Removes 2 freedoms. `u_i`, `u_j`: local positions of a point on the slide in either body; `h_i`:
-/// local direction in body i perpendicular to the slide (its length scales the second row);
-/// `theta0`: θ0. Lecture, "Constraint Library: Prismatic". What is fixed in body i is written in
-/// its own frame, h_i · A_i ū_i = h̄_i · ū_i: the same equation, with a quarter less to compute.
-/// Measure: `slide`, how far P_i is from P_j along the slide.
+/// Removes 2 freedoms. `u_i` and `u_j` are local positions of a point on the line of sliding in
+/// body i and body j \[m\]. `h_i` is the local direction in body i perpendicular to the line; its
+/// length scales the second row. `theta0` is the angle θ0 between the bodies \[rad\]. Lecture,
+/// "Constraint Library: Prismatic". Measure: `slide`, the distance of P_i from P_j along the line.
 ///
-/// Signs: the slide grows as i moves in j with h_i to the left of its way (h_i along y: to the
-/// right, along x of body i). `theta0` is the turn of i in j, counter-clockwise positive.
+/// Signs: the slide grows as i moves in j with h_i on its left. If h_i is the y-axis of body i, the
+/// slide grows along the x-axis of body i. `theta0` is the rotation of i relative to j,
+/// counter-clockwise positive.
 #[constraint]
 #[require(h_i.norm() > 0.0, "the direction across the slide needs a length above zero")]
 #[measure(slide = -(i.direction(h_i).perp().dot(i.point(u_i) - j.point(u_j))) / h_i.norm(), "m")]
@@ -22,15 +23,16 @@ pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: 
     (turn, offset)
 }
 
-/// A point of body i stays on a line of body j: h_j × (s − ū_j) = 0, s the point as body j sees
-/// it.   \[m\]
+/// Keeps a point of body i on a line of body j: h_j × (s − ū_j) = 0, where s is the point in the
+/// frame of j. \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the point; `u_j`: a point of the line, `h_j`: its direction, whose
-/// length scales the row. Haug, section 3.3: revolute–translational joint. Measures: `slide`, the
-/// point's way from ū_j along h_j; `angle`, θ_i − θ_j.
+/// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `u_j` is a point of
+/// the line in body j \[m\]. `h_j` is the direction of the line; its length scales the row. Haug,
+/// section 3.3: revolute–translational joint. Measures: `slide`, the distance of the point from ū_j
+/// along h_j; `angle`, θ_i − θ_j.
 ///
-/// Signs: the slide grows along h_j, the row to the left of it; the angle is the turn of i in j,
-/// counter-clockwise positive.
+/// Signs: the slide grows along h_j. The row is positive to the left of h_j. The angle is the
+/// rotation of i relative to j, counter-clockwise positive.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the line needs a direction with a length above zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
@@ -40,15 +42,16 @@ pub fn point_on_line(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f
     h_j.cross(s - u_j)
 }
 
-/// A pin of body i in a straight slot of body j, from A to B: (B − A) × (s − A)/|B − A| = 0, s the
-/// pin as body j sees it.   \[m\]
+/// Keeps a pin of body i in a straight slot of body j from A to B: (B − A) × (s − A)/|B − A| = 0,
+/// where s is the pin in the frame of j. \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the pin; `a_j`, `b_j`: the ends of the slot's centre line. The ends do
-/// not stop the pin: a run tells by an event when it passes one. Measures: `slide`, the pin's way
-/// from A; `angle`, θ_i − θ_j.
+/// Removes 1 freedom. `u_i` is the local position of the pin in body i \[m\]. `a_j` and `b_j` are
+/// the ends A and B of the slot's centre line in body j \[m\]. The ends do not stop the pin: a run
+/// reports an event where the pin passes an end. Measures: `slide`, the distance of the pin from A;
+/// `angle`, θ_i − θ_j.
 ///
-/// Signs: the slide grows from A towards B, the row to the left of that; the angle is the turn of i
-/// in j, counter-clockwise positive.
+/// Signs: the slide grows from A towards B. The row is positive to the left of that direction. The
+/// angle is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
 #[require((b_j - a_j).norm() > 0.0, "the ends of the slot coincide")]
 #[measure(slide = (b_j - a_j).dot(j.local(i.point(u_i)) - a_j) / (b_j - a_j).norm(), "m", ends = (0.0, (b_j - a_j).norm()))]
@@ -58,15 +61,15 @@ pub fn pin_in_slot(i: Planar, j: Planar, u_i: Vec2, a_j: Vec2, b_j: Vec2) -> f64
     (b_j - a_j).normalize().cross(s - a_j)
 }
 
-/// A point of body i stays on a circle of body j: (|s − c_j|² − ρ²)/(2 ρ) = 0, s the point as body
-/// j sees it.
-///    \[m\]
+/// Keeps a point of body i on a circle of body j: (|s − c_j|² − ρ²)/(2 ρ) = 0, where s is the point
+/// in the frame of j. \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the point; `c_j`: the centre, `radius`: ρ. A circular slot, or a rod
-/// of length ρ. Haug, section 3.3. Measure: `angle`, where the point stands on the circle.
+/// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `c_j` is the centre
+/// of the circle in body j \[m\]. `radius` is the radius ρ \[m\]. Use it for a circular slot. Haug,
+/// section 3.3. Measure: `angle`, the direction from the centre to the point.
 ///
-/// Signs: the angle is counter-clockwise positive from the x-axis of body j; the row is positive
-/// outside of the circle.
+/// Signs: the angle is counter-clockwise positive from the x-axis of body j. The row is positive
+/// outside the circle.
 #[constraint]
 #[require(radius > 0.0, "a circle needs a radius above zero")]
 #[measure(angle = (j.local(i.point(u_i)) - c_j).y.atan2((j.local(i.point(u_i)) - c_j).x), "rad", turns)]

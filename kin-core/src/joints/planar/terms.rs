@@ -1,16 +1,16 @@
-//! Sums of many coordinates, as one kernel.
+//! Sums of many coordinates as one compiled kernel.
 
 use kin_macros::constraint;
 
-/// As many coordinates as one coupling takes.
+/// The largest number of coordinates in one coupling.
 pub(super) const TERMS: usize = 6;
 
-/// Linear coupling of two to six coordinates: Σ k_n q_n − c = 0.      \[unit of c\]
+/// Couples two to six coordinates linearly: Σ k_n q_n − c = 0. \[unit of c\]
 ///
-/// Removes 1 freedom. `q`: bare coordinates or those of bodies (`wheel.theta()`, `rack.x()`); `k`:
-/// a factor for each; `c`: what they add up to. A differential, a planetary train by its turns, a
-/// platform held by ropes over pulleys. To drive a sum, couple it with a separate coordinate and
-/// drive that. Norton, *Design of Machinery*, ch. 9.
+/// Removes 1 freedom. `q` are scalar coordinates or coordinates of bodies (`wheel.theta()`,
+/// `rack.x()`). `k` contains one factor for each coordinate, `c` is the sum. Use it for a
+/// differential, a planetary train or a platform on ropes and pulleys. To drive a sum, couple it
+/// with a separate coordinate and drive that coordinate. Norton, *Design of Machinery*, ch. 9.
 ///
 /// Signs: those of the coordinates.
 #[constraint]

@@ -1,20 +1,22 @@
-//! Couplings of turns and slides. The turn of a spatial body is known from its pose up to full
-//! turns only: what couples it takes it back by the turn it should have and holds what is left at
-//! zero, so that any number of turns is counted and nothing jumps.
+//! Couplings of rotations and displacements. The pose of a spatial body determines its angle only
+//! up to full revolutions. A coupling therefore rotates the body back by the angle that it should
+//! have and holds the remaining angle at zero. It counts any number of revolutions and never jumps.
 
 use std::f64::consts::TAU;
 
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
-/// A separate coordinate for the turn of body i in body j: the turn of f_i from f_j about h_j,
-/// taken back by φ, is zero.   \[rad\]
+/// Introduces a coordinate φ for the angle of body i relative to body j: φ_ij − φ = 0, where φ_ij
+/// is the angle from f_j to f_i about h_j. \[rad\]
 ///
-/// Removes 1 freedom and adds one, the coordinate `phi`, which counts any number of turns. `h_i`,
-/// `h_j`: the common axis in either body, held parallel by another joint; f_i and f_j are where the
-/// angle counts from. With it turns can be driven, and coupled by `coupling`. Haug, section 9.4.
+/// Removes 1 freedom and adds one, the coordinate `phi`, which counts any number of revolutions.
+/// `h_i` and `h_j` are the common axis in body i and body j. Another joint must hold the axes
+/// parallel. f_i and f_j are the reference directions of the angle. Use the coordinate to drive a
+/// rotation, or to couple it by `coupling`. Haug, section 9.4.
 ///
-/// Signs: φ is the turn of i in j, right-handed about h_j, zero where f_i lies along f_j.
+/// Signs: φ is the rotation of i relative to j, right-handed about h_j. It is zero where f_i lies
+/// along f_j.
 #[constraint]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
 pub fn relative_angle(i: Spatial, j: Spatial, phi: Coord, h_i: Axis, h_j: Axis) -> f64 {
@@ -24,18 +26,20 @@ pub fn relative_angle(i: Spatial, j: Spatial, phi: Coord, h_i: Axis, h_j: Axis) 
     (y * phi.cos() - x * phi.sin()).atan2(x * phi.cos() + y * phi.sin())
 }
 
-/// Pair of gears on a frame: z_i φ_i + z_j φ_j − z_i φ0 = 0, up to whole teeth, φ the turns of the
-/// wheels in the frame.   \[rad\]
+/// Meshes two gears on a frame by their numbers of teeth: z_i φ_i + z_j φ_j − z_i φ0 = 0, up to
+/// whole teeth. \[rad\]
 ///
-/// Removes 1 freedom. `i`, `j`: the wheels, each with its axis `h_i`, `h_j` and the same axis in
-/// the frame, `a_i`, `a_j`, held parallel by other joints; f is where a turn counts from.
-/// `teeth_i`, `teeth_j`: z, whole numbers, one below zero for a ring with inner teeth; `phase`: φ0,
-/// the turn of i when that of j is zero. A wheel looks the same after a whole turn, so the equation
-/// has no jump; which teeth mesh is decided by the first position. By radii:
+/// Removes 1 freedom. φ_i and φ_j are the angles of the wheels relative to the frame. `i` and `j`
+/// are the wheels. `h_i` and `h_j` are their axes; `a_i` and `a_j` are the same axes in the frame.
+/// Other joints must hold the axes parallel. f of an axis is the reference direction of its angle.
+/// `teeth_i` and `teeth_j` are z_i and z_j, whole numbers; for a ring with internal teeth the
+/// number is negative. `phase` is φ0, the angle of i when the angle of j is zero \[rad\]. The
+/// equation has no jump after a full revolution, because a wheel then looks the same. The first
+/// position decides which teeth mesh. To use radii instead, see
 /// [`gear_by_radii`](fn@gear_by_radii). Norton, *Design of Machinery*, ch. 9.
 ///
-/// Signs: turns are right-handed about a_i and a_j. With axes that point out of the frame alike
-/// (from the apex of bevel gears) the wheels turn against each other.
+/// Signs: angles are right-handed about a_i and a_j. If both axes point out of the frame (or from
+/// the apex of bevel gears), the wheels turn in opposite directions.
 #[constraint]
 #[require(
     teeth_i != 0.0 && teeth_j != 0.0 && teeth_i.fract() == 0.0 && teeth_j.fract() == 0.0,
@@ -61,16 +65,17 @@ pub fn gear(
     mesh.sin().atan2(mesh.cos())
 }
 
-/// Rack and pinion: the turn of the pinion in the rack about h_j, taken back by φ0 − f_j · (r_Pi −
-/// r_Pj)/r, is zero.   \[rad\]
+/// Meshes a pinion with a rack: φ − φ0 + f_j · (r_Pi − r_Pj)/r = 0, where φ is the angle of the
+/// pinion relative to the rack about h_j. \[rad\]
 ///
-/// Removes 1 freedom. `i`: the pinion, centre `u_i`, axis `h_i`, pitch radius `radius`: r; `j`: the
-/// rack, a point `u_j` of its pitch line and `h_j`, the direction of the pinion's axis with f_j
-/// along the rack (`Axis::new(h, f)`); the axes are held parallel by other joints. `phase`: φ0, the
-/// turn of f_i from f_j where the centre stands over `u_j`. Haug, section 3.4, in space.
+/// Removes 1 freedom. `i` is the pinion, `u_i` its centre \[m\], `h_i` its axis and `radius` its
+/// pitch radius r \[m\]. `j` is the rack and `u_j` a point of its pitch line \[m\]. `h_j` is the
+/// direction of the pinion's axis in the rack, with f_j along the rack (`Axis::new(h, f)`). Other
+/// joints must hold the axes parallel. `phase` is φ0, the angle from f_j to f_i where the centre is
+/// over `u_j` \[rad\]. Haug, section 3.4, in space.
 ///
-/// Signs: the pinion is on the side of g_j = h_j × f_j (a negative radius: on the other) and turns
-/// clockwise about h_j as it goes along f_j.
+/// Signs: the pinion is on the side of g_j = h_j × f_j; with a negative radius it is on the other
+/// side. When the pinion moves along f_j, it turns clockwise about h_j.
 #[constraint]
 #[require(radius != 0.0, "a pinion needs a radius")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
@@ -92,18 +97,21 @@ pub fn rack_and_pinion(
     (y * cos - x * sin).atan2(x * cos + y * sin)
 }
 
-/// Pair of gears on a frame by their radii: the turns of the wheels in the frame, taken back by
-/// φ0 + s/r_i and by −s/r_j, are zero.   \[rad, rad\]
+/// Meshes two gears on a frame by their radii: φ_i − φ0 − s/r_i = 0 and φ_j + s/r_j = 0, where φ is
+/// the angle of a wheel relative to the frame. \[rad, rad\]
 ///
-/// Removes 2 freedoms and adds one, the length `s` that has rolled through the mesh: 1 in all. `i`,
-/// `j`: the wheels, each with its axis `h_i`, `h_j` and the same axis in the frame, `a_i`, `a_j`,
-/// held parallel by other joints; f is where a turn counts from. `r_i`, `r_j`: pitch radii (of
-/// bevel gears at the same distance from the apex, of friction wheels of any ratio), one below zero
-/// for a ring with inner teeth; `phase`: φ0, the turn of i when that of j is zero. `s` counts any
-/// number of turns, and can be driven. Norton, *Design of Machinery*, ch. 9.
+/// Removes 2 freedoms and adds one, the length `s` that has rolled through the mesh \[m\]: 1 in
+/// all. `i` and `j` are the wheels. `h_i` and `h_j` are their axes; `a_i` and `a_j` are the same
+/// axes in the frame. Other joints must hold the axes parallel. f of an axis is the reference
+/// direction of its angle. `r_i` and `r_j` are the pitch radii \[m\]; for a ring with internal
+/// teeth the radius is negative. Take the radii of bevel gears at the same distance from the apex.
+/// Friction wheels may have any ratio. `phase` is φ0, the angle of i when the angle of j is zero
+/// \[rad\]. `s` counts any number of revolutions, and you can drive it. Norton, *Design of
+/// Machinery*, ch. 9.
 ///
-/// Signs: turns are right-handed about a_i and a_j; `s` grows with the turn of i. With axes that
-/// point out of the frame alike (from the apex of bevel gears) the wheels turn against each other.
+/// Signs: angles are right-handed about a_i and a_j; `s` grows with the angle of i. If both axes
+/// point out of the frame (or from the apex of bevel gears), the wheels turn in opposite
+/// directions.
 #[constraint]
 #[require(r_i != 0.0 && r_j != 0.0, "a wheel needs a pitch radius")]
 pub fn gear_by_radii(
@@ -133,17 +141,18 @@ pub fn gear_by_radii(
     ]
 }
 
-/// Thread: the turn of f_i from f_j about h_j, taken back by 2π h_j · (r_Pi − r_Pj)/lead, is
-/// zero.   \[rad\]
+/// Couples the rotation of body i in body j to its displacement, as a thread does: φ − 2π h_j ·
+/// (r_Pi − r_Pj)/lead = 0, where φ is the angle from f_j to f_i about h_j. \[rad\]
 ///
-/// Removes 1 freedom: the one row that makes a [`screw`](fn@super::screw) of a cylindrical joint,
-/// or of a slide and a shaft that other joints hold. `u_i`, `u_j`: points on the axis; `h_i`,
-/// `h_j`: the axis in either body, held parallel by another joint, with f_i over f_j where the
-/// points meet; `lead`: way of i along h_j per turn about h_j. Any number of turns is counted.
-/// Haug, section 9.4. Angle and slide are measures of the joint that holds the axes.
+/// Removes 1 freedom. The row turns a cylindrical joint into a [`screw`](fn@super::screw). It also
+/// couples a slide to a shaft that other joints hold. `u_i` and `u_j` are points of the axis in
+/// body i and body j \[m\]. `h_i` and `h_j` are the axis in body i and body j, with f_i along f_j
+/// where the points meet. Another joint must hold the axes parallel. `lead` is the displacement of
+/// i along h_j for one revolution about h_j \[m\]. The thread counts any number of revolutions.
+/// Haug, section 9.4. The joint that holds the axes measures the angle and the slide.
 ///
-/// Signs: the turn is that of i in j, right-handed about h_j, the way is that of i along h_j in j;
-/// `lead` is above zero for a right-hand thread.
+/// Signs: φ is the rotation of i relative to j, right-handed about h_j. The displacement is that of
+/// i along h_j in j. `lead` is positive for a right-hand thread.
 #[constraint]
 #[require(lead != 0.0, "a thread needs a lead")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]

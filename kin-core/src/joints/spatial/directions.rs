@@ -1,15 +1,15 @@
-//! Directions beside directions; points are free.
+//! Joints that hold directions and leave points free.
 
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
-/// Parallel axes: f_i · h_j = g_i · h_j = 0.      \[–, –\]
+/// Keeps an axis of body i parallel to an axis of body j: f_i · h_j = g_i · h_j = 0. \[–, –\]
 ///
-/// Removes 2 freedoms. `h_i`, `h_j`: the axes; f_i and g_i are across h_i, the length of h_j scales
-/// the rows. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an
-/// error. Haug, section 9.4.
+/// Removes 2 freedoms. `h_i` and `h_j` are the axes. f_i and g_i are the two directions across h_i;
+/// the length of h_j scales the rows. Opposite axes satisfy the equations too, so a position found
+/// with h_i · h_j < 0 is an error. Haug, section 9.4.
 ///
-/// Signs: h_i and h_j point the same way.
+/// Signs: h_i and h_j point in the same direction.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
@@ -20,10 +20,10 @@ pub fn parallel(i: Spatial, j: Spatial, h_i: Axis, h_j: Vec3) -> (f64, f64) {
     (f, g)
 }
 
-/// Perpendicular directions: h_i · h_j = 0.      \[–\]
+/// Keeps a direction of body i perpendicular to a direction of body j: h_i · h_j = 0. \[–\]
 ///
-/// Removes 1 freedom. `h_i`, `h_j`: the directions, whose lengths scale the row. As a primitive it
-/// is called dot-1. Haug, section 9.4.
+/// Removes 1 freedom. `h_i` and `h_j` are the directions; their lengths scale the row. As a
+/// primitive this joint is called dot-1. Haug, section 9.4.
 ///
 /// Signs: the row is positive where the angle between h_i and h_j is less than 90°.
 #[constraint]
@@ -32,13 +32,15 @@ pub fn perpendicular(i: Spatial, j: Spatial, h_i: Vec3, h_j: Vec3) -> f64 {
     i.direction(h_i).dot(j.direction(h_j))
 }
 
-/// Directions at an angle: h_i · h_j − cos α = 0.      \[–\]
+/// Holds a direction of body i at a constant angle to a direction of body j: h_i · h_j − cos α = 0.
+/// \[–\]
 ///
-/// Removes 1 freedom. `h_i`, `h_j`: the directions; `alpha`: the angle between them, strictly
-/// between 0 and π: at the ends the row has no slope, and `parallel` is meant. Haug, section 9.4.
+/// Removes 1 freedom. `h_i` and `h_j` are the directions. `alpha` is the angle α between them,
+/// strictly between 0 and π \[rad\]. At 0 and π the derivative of the row is zero; use `parallel`
+/// instead. Haug, section 9.4.
 ///
-/// Signs: the angle has none: h_i may stand anywhere on a cone about h_j. The row is positive where
-/// it is less than α.
+/// Signs: the angle has no sign, so h_i can be anywhere on a cone about h_j. The row is positive
+/// where the angle is less than α.
 #[constraint]
 #[require(alpha > 0.0 && alpha < std::f64::consts::PI, "the angle is between 0 and π; for these themselves use `parallel`")]
 pub fn angle(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, alpha: f64) -> f64 {

@@ -1,13 +1,15 @@
-//! Links without mass: two joints and the body between them as one constraint.
+//! Links without mass: one constraint replaces a link and the two joints at its ends.
 
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
-/// Link with a hinge on body i and a ball on body j: h_i · d = 0 and (|d|² − l²)/(2 l) = 0 with d =
-/// r_Pj − r_Pi.   \[m, m\]
+/// Replaces a link with a hinge on body i and a ball joint on body j: h_i · d = 0 and (|d|² −
+/// l²)/(2 l) = 0 with d = r_Pj − r_Pi. \[m, m\]
 ///
-/// Removes 2 freedoms. `u_i`, `h_i`: the hinge, whose length scales the first row; `u_j`: the ball;
-/// `length`: l. The ball is in the hinge's plane. Haug, section 9.4.
+/// Removes 2 freedoms. `u_i` is a point of the hinge \[m\] and `h_i` its direction in body i; the
+/// length of h_i scales the first row. `u_j` is the centre of the ball in body j \[m\]. `length` is
+/// l, from the hinge to the ball \[m\]. The ball is in the plane through u_i across the hinge.
+/// Haug, section 9.4.
 ///
 /// Signs: the first row is positive where the ball is on the side to which h_i points.
 #[constraint]
@@ -27,15 +29,16 @@ pub fn revolute_spherical(
     (plane, rod)
 }
 
-/// Link with a hinge at either end: h_i · d = 0, h_j · d = 0, (|d|² − l²)/(2 l) = 0 and h_j · (b
-/// cos α − h_i sin α) = 0, d = r_Pj − r_Pi, b = d × h_i / l. \[m, m, m, –\]
+/// Replaces a link with a hinge at each end: h_i · d = 0, h_j · d = 0, (|d|² − l²)/(2 l) = 0 and
+/// h_j · (b cos α − h_i sin α) = 0 with d = r_Pj − r_Pi and b = d × h_i / l. \[m, m, m, –\]
 ///
-/// Removes 4 freedoms. `u_i`, `h_i`, `u_j`, `h_j`: the hinges; `length`: l of the common normal;
-/// `twist`: α, from h_i to h_j about d by the right-hand rule, zero for parallel hinges (Denavit
-/// and Hartenberg's link). The equations hold for an opposite h_j too; a position found so is an
-/// error. Haug, section 9.4.
+/// Removes 4 freedoms. `u_i`, `h_i` and `u_j`, `h_j` are a point \[m\] and the direction of each
+/// hinge. `length` is l, the length of the common normal \[m\]. `twist` is α, the angle from h_i to
+/// h_j about d \[rad\]; it is zero for parallel hinges (the link of Denavit and Hartenberg). An
+/// opposite h_j satisfies the equations too, so a position found with it is an error. Haug, section
+/// 9.4.
 ///
-/// Signs: d points from i to j; `twist` is right-handed about d and turns h_i into h_j.
+/// Signs: d points from i to j. `twist` is right-handed about d and rotates h_i into h_j.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 #[branch(
@@ -64,15 +67,17 @@ pub fn revolute_revolute(
     [h_i.dot(d), h_j.dot(d), 0.5 * (d.norm_squared() / length - length), h_j.dot(across)]
 }
 
-/// Link with a hinge on body i and a sleeve on an axis of body j: h_i · d = 0, (|d|² − l²)/(2 l) =
-/// 0 and h_j · (b cos α − h_i sin α) = 0, d the part of r_Pj − r_Pi across h_j, b = d × h_i /
-/// l.   \[m, m, –\]
+/// Replaces a link with a hinge on body i and a sleeve on body j: h_i · d = 0, (|d|² − l²)/(2 l) =
+/// 0 and h_j · (b cos α − h_i sin α) = 0 with b = d × h_i / l. \[m, m, –\]
 ///
-/// Removes 3 freedoms. `u_i`, `h_i`: the hinge; `u_j`, `h_j`: the axis on which the sleeve turns
-/// and slides; `length`: l of the common normal; `twist`: α, from h_i to h_j about d. The equations
-/// hold for an opposite h_j too; a position found so is an error. Haug, section 9.4.
+/// Removes 3 freedoms. d is the part of r_Pj − r_Pi across h_j. `u_i` and `h_i` are a point \[m\]
+/// and the direction of the hinge in body i. `u_j` and `h_j` are a point \[m\] and the direction of
+/// the axis in body j on which the sleeve rotates and slides. `length` is l, the length of the
+/// common normal \[m\]. `twist` is α, the angle from h_i to h_j about d \[rad\]. An opposite h_j
+/// satisfies the equations too, so a position found with it is an error. Haug, section 9.4.
 ///
-/// Signs: d points from i to the axis of j; `twist` is right-handed about d and turns h_i into h_j.
+/// Signs: d points from i to the axis of j. `twist` is right-handed about d and rotates h_i into
+/// h_j.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 #[branch(
@@ -103,13 +108,15 @@ pub fn revolute_cylindrical(
     [h_i.dot(d), 0.5 * (d.norm_squared() / length - length), h_j.dot(across)]
 }
 
-/// Link with a ball on body i and a sleeve on an axis of body j: ((f_j · d)² + (g_j · d)² − l²)/(2
-/// l) = 0 with d = r_Pi − r_Pj.   \[m\]
+/// Keeps a point of body i at a constant distance from an axis of body j: ((f_j · d)² + (g_j · d)²
+/// − l²)/(2 l) = 0 with d = r_Pi − r_Pj. \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the ball; `u_j`, `h_j`: the axis; `length`: l. A point on a cylinder
-/// of radius l. Haug, section 9.4.
+/// Removes 1 freedom. The joint replaces a link with a ball joint on body i and a sleeve on body j.
+/// `u_i` is the centre of the ball in body i \[m\]. `u_j` and `h_j` are a point \[m\] and the
+/// direction of the axis in body j. `length` is l \[m\]. Use it also for a point on a cylinder of
+/// radius l. Haug, section 9.4.
 ///
-/// Signs: none; the row is positive outside of the cylinder.
+/// Signs: none. The row is positive outside the cylinder.
 #[constraint]
 #[require(length > 0.0, "a link needs a length above zero")]
 pub fn spherical_cylindrical(

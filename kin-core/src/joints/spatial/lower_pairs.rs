@@ -1,17 +1,20 @@
-//! Joints whose parts touch in surfaces, and those that do the same by a cross or by balls.
+//! Lower pairs (joints with surface contact), universal joints and constant-velocity joints.
 
 use std::f64::consts::TAU;
 
 use crate::numbers::algebra::{Axis, EulerParameters, Vec3};
 use kin_macros::constraint;
 
-/// A body that does not move: R − r = 0 and the vector part of p0* p is zero.      \[m, –\]
+/// Holds a body at a given pose: R − r = 0 and vec(p0* p) = 0, where vec is the vector part of the
+/// product. \[m, –\]
 ///
-/// Removes 6 freedoms. `r`: position; `p0`: Euler parameters. There is no second solution: a turn
-/// by 180° has a vector part of length 1. Nikravesh, *Computer-Aided Analysis of Mechanical
-/// Systems*, section 7.2.
+/// Removes 6 freedoms. `r` is the global position of the origin of the body frame \[m\]. `p0` are
+/// the Euler parameters of the orientation; p0* is their conjugate. There is no second solution,
+/// because a rotation by 180° has a vector part of length 1. Nikravesh, *Computer-Aided Analysis of
+/// Mechanical Systems*, section 7.2.
 ///
-/// Signs: `p0` turns the global frame into the body's; p0 and −p0 are one turn.
+/// Signs: `p0` rotates the global frame into the frame of the body. p0 and −p0 are the same
+/// rotation.
 #[constraint]
 #[require(p0.norm() > 0.0, "Euler parameters are not all zero")]
 pub fn fixed(j: Spatial, r: Vec3, p0: EulerParameters) -> (Vec3, Vec3) {
@@ -20,13 +23,15 @@ pub fn fixed(j: Spatial, r: Vec3, p0: EulerParameters) -> (Vec3, Vec3) {
     (point, turn)
 }
 
-/// Rigid connection: r_Pi − r_Pj = 0 and the vector part of p_ij* p_j* p_i is zero.      \[m, –\]
+/// Holds body i rigidly on body j: r_Pi − r_Pj = 0 and vec(p_ij* p_j* p_i) = 0, where vec is the
+/// vector part of the product. \[m, –\]
 ///
-/// Removes 6 freedoms. `u_i`, `u_j`: local position of P in either body; `p_ij`: Euler parameters
-/// of body i as body j sees it. There is no second solution: a turn by 180° has a vector part of
-/// length 1. Nikravesh, *Computer-Aided Analysis of Mechanical Systems*, section 7.2.
+/// Removes 6 freedoms. `u_i` and `u_j` are the local positions of a common point P in body i and
+/// body j \[m\]. `p_ij` are the Euler parameters of body i relative to body j; * is the conjugate.
+/// There is no second solution, because a rotation by 180° has a vector part of length 1.
+/// Nikravesh, *Computer-Aided Analysis of Mechanical Systems*, section 7.2.
 ///
-/// Signs: `p_ij` turns the frame of j into that of i.
+/// Signs: `p_ij` rotates the frame of j into the frame of i.
 #[constraint]
 #[require(p_ij.norm() > 0.0, "Euler parameters are not all zero")]
 pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters) -> (Vec3, Vec3) {
@@ -35,15 +40,17 @@ pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters)
     (point, turn)
 }
 
-/// Hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two dot-1).      \[m, –, –\]
+/// Joins two bodies by a hinge: r_Pi − r_Pj = 0 (at-point) and f_i · h_j = g_i · h_j = 0 (two
+/// dot-1). \[m, –, –\]
 ///
-/// Removes 5 freedoms. `u_i`, `u_j`: local position of P on the axis; `h_i`, `h_j`: the axis in
-/// either body. The equations hold for opposite axes too; a position found with h_i · h_j < 0 is an
-/// error. Haug, section 9.4. Measure: `angle`, the turn of f_i from f_j.
+/// Removes 5 freedoms. `u_i` and `u_j` are the local positions of a point P of the axis in body i
+/// and body j \[m\]. `h_i` and `h_j` are the axis in body i and body j; f_i and g_i are the
+/// directions across h_i. Opposite axes satisfy the equations too, so a position found with h_i ·
+/// h_j < 0 is an error. Haug, section 9.4. Measure: `angle`, the angle from f_j to f_i.
 ///
-/// Signs: the angle is the turn of i in j, right-handed about h_j. Where it is zero is chosen by
-/// `.zero(f_i, f_j)`: where f_i of body i lies along f_j of body j; unchosen these are the f that
-/// [`Axis::along`] gives h_i and h_j (x for z, y for x, z for y).
+/// Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
+/// sets the zero of the angle: there f_i of body i lies along f_j of body j. By default f_i and f_j
+/// are the directions that [`Axis::along`] chooses for h_i and h_j (x for z, y for x, z for y).
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
@@ -63,14 +70,17 @@ pub fn revolute(
     (point, f, g)
 }
 
-/// Sliding joint: the vector part of p_ij* p_j* p_i is zero, and f_i · d = g_i · d = 0 (two dot-2)
-/// with d = r_Pi − r_Pj.   \[–, m, m\]
+/// Lets body i slide along an axis of body j without rotation: vec(p_ij* p_j* p_i) = 0 and f_i · d
+/// = g_i · d = 0 (two dot-2) with d = r_Pi − r_Pj. \[–, m, m\]
 ///
-/// Removes 5 freedoms. `u_i`, `u_j`: points on the slide; `h_i`: its direction in body i; `p_ij`:
-/// Euler parameters of body i as body j sees it. There is no second solution. Haug, section 9.4.
+/// Removes 5 freedoms. vec is the vector part of a product of Euler parameters, and * the
+/// conjugate. `u_i` and `u_j` are points of the axis in body i and body j \[m\]. `h_i` is the
+/// direction of the axis in body i; f_i and g_i are the directions across h_i. `p_ij` are the Euler
+/// parameters of body i relative to body j. There is no second solution. Haug, section 9.4.
 /// Measure: `slide`, h_i · d.
 ///
-/// Signs: the slide grows as i moves along h_i in j; `p_ij` turns the frame of j into that of i.
+/// Signs: the slide grows as i moves along h_i in j. `p_ij` rotates the frame of j into the frame
+/// of i.
 #[constraint]
 #[require(p_ij.norm() > 0.0, "Euler parameters are not all zero")]
 #[measure(slide = i.direction(h_i.h).dot(i.point(u_i) - j.point(u_j)), "m")]
@@ -89,17 +99,18 @@ pub fn prismatic(
     (turn, f, g)
 }
 
-/// Cylindrical joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and f_i · d = g_i · d = 0 (two dot-2)
-/// with d = r_Pi − r_Pj.   \[–, –, m, m\]
+/// Lets body i slide along an axis of body j and rotate about it: f_i · h_j = g_i · h_j = 0 (two
+/// dot-1) and f_i · d = g_i · d = 0 (two dot-2) with d = r_Pi − r_Pj. \[–, –, m, m\]
 ///
-/// Removes 4 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body.
-/// These are h_i × h_j = 0 and h_i × d = 0 of the lecture ("Cylindrical Joint Constraint") in the
-/// two directions across h_i, which keep full rank at every pose. The equations hold for opposite
-/// axes too; a position found with h_i · h_j < 0 is an error. Measures: `angle`, the turn of f_i
-/// from f_j; `slide`, h_j · d.
+/// Removes 4 freedoms. `u_i` and `u_j` are points of the axis in body i and body j \[m\]. `h_i` and
+/// `h_j` are the axis in body i and body j. The lecture ("Cylindrical Joint Constraint") writes h_i
+/// × h_j = 0 and h_i × d = 0. Kin uses the components of these equations along f_i and g_i, the two
+/// directions across h_i, which keep full rank at every pose. Opposite axes satisfy the equations
+/// too, so a position found with h_i · h_j < 0 is an error. Measures: `angle`, the angle from f_j
+/// to f_i; `slide`, h_j · d.
 ///
-/// Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of
-/// [`revolute`](fn@revolute). The slide grows as i moves along h_j in j.
+/// Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
+/// sets its zero, as for [`revolute`](fn@revolute). The slide grows as i moves along h_j in j.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
@@ -113,16 +124,19 @@ pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j:
     [f.dot(h), g.dot(h), f.dot(d), g.dot(d)]
 }
 
-/// Universal joint: r_Pi − r_Pj = 0 (at-point) and h_i · h_j = 0 (dot-1).      \[m, –\]
+/// Joins two bodies by a universal joint: r_Pi − r_Pj = 0 (at-point) and h_i · h_j = 0 (dot-1).
+/// \[m, –\]
 ///
-/// Removes 4 freedoms. `u_i`, `u_j`: the centre P of the cross; `h_i`, `h_j`: the bars of the
-/// cross, each in the body that it turns in; their lengths scale the row. Lecture, "Universal Joint
-/// Constraint". Measures: `angle_j`, the turn of the cross in body j about h_j; `angle_i`, the turn
-/// of body i on the cross about h_i.
+/// Removes 4 freedoms. `u_i` and `u_j` are the local positions of the centre P of the cross in body
+/// i and body j \[m\]. `h_i` and `h_j` are the two bars of the cross, each in the body in which it
+/// rotates; their lengths scale the row. Lecture, "Universal Joint Constraint". Measures:
+/// `angle_j`, the angle of the cross relative to body j about h_j; `angle_i`, the angle of body i
+/// relative to the cross about h_i.
 ///
-/// Signs: both angles are right-handed about their bars, and zero where both frames have the same
-/// directions: body i is turned by `angle_i` about its bar, and then with the cross by `angle_j`
-/// about that of j. Bars that are not perpendicular as they are written: see [`Vec3::axis_near`].
+/// Signs: both angles are right-handed about their bars. They are zero where the axes of both
+/// frames are parallel. From there body i rotates by `angle_i` about its bar, and then together
+/// with the cross by `angle_j` about the bar of j. If h_i and h_j are not perpendicular in that
+/// pose, [`Vec3::axis_near`] gives the reference directions.
 #[constraint]
 #[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "a bar of the cross needs a length above zero")]
 #[measure(angle_i = (-i.direction(h_i.axis_near(h_j).g).dot(j.direction(h_j))).atan2(i.direction(h_i.axis_near(h_j).f).dot(j.direction(h_j))), "rad", turns)]
@@ -140,16 +154,17 @@ pub fn universal(
     (point, cross)
 }
 
-/// Planar joint: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j · (r_Pi − r_Pj) = 0 (dot-2).   \[–,
-/// –, m\]
+/// Keeps a plane of body i on a plane of body j: f_i · h_j = g_i · h_j = 0 (two dot-1) and h_j ·
+/// (r_Pi − r_Pj) = 0 (dot-2). \[–, –, m\]
 ///
-/// Removes 3 freedoms. `u_i`, `u_j`: points of the common plane; `h_i`, `h_j`: its normal in either
-/// body. The equations hold for opposite normals too; a position found with h_i · h_j < 0 is an
-/// error. Haug, section 9.4. Measure: `angle`, the turn of f_i from f_j.
+/// Removes 3 freedoms. `u_i` and `u_j` are points of the common plane in body i and body j \[m\].
+/// `h_i` and `h_j` are the normal of the plane in body i and body j. Opposite normals satisfy the
+/// equations too, so a position found with h_i · h_j < 0 is an error. Haug, section 9.4. Measure:
+/// `angle`, the angle from f_j to f_i.
 ///
-/// Signs: the angle is the turn of i in j, right-handed about h_j, its zero chosen as of
-/// [`revolute`](fn@revolute). The last row is positive where P_i is on the side to which h_j
-/// points.
+/// Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
+/// sets its zero, as for [`revolute`](fn@revolute). The last row is positive where P_i is on the
+/// side to which h_j points.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the normal in body j needs a length above zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its normals are opposite: h_i · h_j < 0")]
@@ -169,18 +184,20 @@ pub fn planar(
     (f, g, height)
 }
 
-/// Screw: f_j · h_i = g_j · h_i = 0, f_j · d = g_j · d = 0 with d = r_Pi − r_Pj, and body i turns
-/// by 2π h_j · d / lead.   \[–, –, m, m, rad\]
+/// Joins two bodies by a screw: f_j · h_i = g_j · h_i = 0, f_j · d = g_j · d = 0 and φ − 2π h_j ·
+/// d/lead = 0 with d = r_Pi − r_Pj. \[–, –, m, m, rad\]
 ///
-/// Removes 5 freedoms. `u_i`, `u_j`: points on the axis; `h_i`, `h_j`: the axis in either body,
-/// with f_i over f_j where the points meet; `lead`: way of i along h_j per turn about h_j. The turn
-/// of f_i is taken back by 2π h_j · d / lead and what is left is zero, so that any number of turns
-/// is counted without a jump. The equations hold for opposite axes too; a position found with h_i ·
-/// h_j < 0 is an error. Where another joint holds the axes in line: [`thread`](fn@super::thread).
-/// Haug, section 9.4. Measures: `angle`, the turn of f_i from f_j; `slide`, h_j · d.
+/// Removes 5 freedoms. φ is the angle from f_j to f_i about h_j. `u_i` and `u_j` are points of the
+/// axis in body i and body j \[m\]. `h_i` and `h_j` are the axis in body i and body j, with f_i
+/// along f_j where the points meet. `lead` is the displacement of i along h_j for one revolution
+/// about h_j \[m\]. Kin rotates f_i back by 2π h_j · d/lead and holds the remaining angle at zero.
+/// The joint therefore counts any number of revolutions without a jump. Opposite axes satisfy the
+/// equations too, so a position found with h_i · h_j < 0 is an error. If another joint holds the
+/// axes in line, use [`thread`](fn@super::thread). Haug, section 9.4. Measures: `angle`, φ;
+/// `slide`, h_j · d.
 ///
-/// Signs: the angle is the turn of i in j, right-handed about h_j; the slide grows as i moves along
-/// h_j in j; `lead` is above zero for a right-hand thread.
+/// Signs: the angle is the rotation of i relative to j, right-handed about h_j. The slide grows as
+/// i moves along h_j in j. `lead` is positive for a right-hand thread.
 #[constraint]
 #[require(lead != 0.0, "a screw needs a lead; without one it is a `revolute`")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
@@ -205,16 +222,18 @@ pub fn screw(
     [f.dot(h), g.dot(h), f.dot(d), g.dot(d), (y * cos - x * sin).atan2(x * cos + y * sin)]
 }
 
-/// Constant-velocity joint: r_Pi − r_Pj = 0 (at-point) and f_i · g_j − g_i · f_j = 0.      \[m, –\]
+/// Joins two shafts by a constant-velocity joint: r_Pi − r_Pj = 0 (at-point) and f_i · g_j − g_i ·
+/// f_j = 0. \[m, –\]
 ///
-/// Removes 4 freedoms. `u_i`, `u_j`: the centre P; `h_i`, `h_j`: the shafts, with the same
-/// direction where they are in line, f_i over f_j. The second equation says that i is bent against
-/// j about an axis across the shafts, without twist: both turn by the same angle at every moment.
-/// It holds for shafts twisted by 180° too; a position found with f_i · f_j + g_i · g_j < 0 is an
-/// error. Hunt, *Kinematic Geometry of Mechanisms*.
+/// Removes 4 freedoms. `u_i` and `u_j` are the local positions of the centre P in body i and body j
+/// \[m\]. `h_i` and `h_j` are the shafts; where the shafts are in line, h_i equals h_j and f_i
+/// equals f_j. The second equation allows i to bend against j about an axis across the shafts,
+/// without twist. Both shafts therefore rotate by the same angle at every time. Shafts twisted by
+/// 180° satisfy the equation too, so a position found with f_i · f_j + g_i · g_j < 0 is an error.
+/// Hunt, *Kinematic Geometry of Mechanisms*.
 ///
-/// Signs: h_i and h_j point the same way along the drive line, from one shaft to the other; then
-/// both turn the same way about them.
+/// Signs: h_i and h_j point in the same direction along the drive line, from one shaft to the
+/// other. Then both shafts rotate in the same direction about them.
 #[constraint]
 #[branch(
     i.direction(h_i.f).dot(j.direction(h_j.f)) + i.direction(h_i.g).dot(j.direction(h_j.g)) > 0.0,
@@ -234,26 +253,29 @@ pub fn constant_velocity(
     (point, twist)
 }
 
-/// The axis of body i with that f from which the angle in body j, measured from the f of Kin's
-/// choice, is zero where f_i lies along f_j.
+/// Returns the axis of body i whose f makes the measured angle zero where f_i lies along f_j. The
+/// angle in body j is measured from the f that Kin chooses for h_j.
 fn zeroed(h_i: Axis, h_j: Vec3, f_i: Vec3, f_j: Vec3) -> Axis {
     let own = Axis::new(h_i.h, f_i);
     let other = Axis::along(h_j);
     let asked = Axis::new(h_j, f_j);
-    // An angle measured from f_j is less by the turn of f_j itself.
+    // An angle measured from f_j is smaller by the angle from the chosen f to f_j.
     Axis::new(h_i.h, own.f * asked.f.dot(other.f) - own.g * asked.f.dot(other.g))
 }
 
-/// A joint whose angle has a zero to be chosen.
+/// A joint whose measured angle has a zero that the user can choose.
 macro_rules! zero_can_be_chosen {
     ($($joint:ident),*) => {$(
         impl $joint {
-            /// The same joint with the zero of its measured angle where the direction f_i of body i
-            /// lies along f_j of body j; of both only what is across the axis counts. An f that
-            /// `h_i` has is replaced, so that the last zero counts. Global directions as drawn:
+            /// Sets the zero of the measured angle: there the direction f_i of body i lies along
+            /// f_j of body j.
+            ///
+            /// Only the parts of f_i and f_j across the axis count. The call replaces the f of
+            /// `h_i`, so the last call counts. For global directions of the drawn pose, use
             /// `m.local_direction(body, f)`.
             ///
-            /// A direction along the axis is refused where the joint is added.
+            /// [`Mechanism::add`](crate::Mechanism::add) returns an error if f_i or f_j lies along
+            /// the axis.
             #[must_use]
             pub fn zero(mut self, f_i: impl Into<Vec3>, f_j: impl Into<Vec3>) -> Self {
                 self.h_i = zeroed(self.h_i, self.h_j, f_i.into(), f_j.into());

@@ -1,12 +1,12 @@
 //! Joints between spatial bodies, and their drivers.
 //!
-//! All are made of four equations, the [`primitives`]: points coincide, two directions are
-//! perpendicular (dot-1), a direction is perpendicular to the line between two points (dot-2), two
-//! points keep a distance. Each joint has exactly as many rows as it removes freedoms, of full rank
-//! at every regular pose: where an equation needs two directions across an axis, they are fixed in
-//! a body ([`Axis`](crate::Axis)), never chosen by the pose. Orientations are held by the vector
-//! part of relative Euler parameters, which has no second solution; axes held parallel by two dot-1
-//! rows have one, turned by 180°, and tell it as an error once a position is found.
+//! Four equations, the [`primitives`], make all joints: two points coincide, two directions are
+//! perpendicular (dot-1), a direction is perpendicular to the line between two points (dot-2), and
+//! two points keep a distance. A joint has exactly as many rows as it removes freedoms. The rows
+//! have full rank at every regular pose, because the two directions across an axis are fixed in a
+//! body ([`Axis`](crate::Axis)) and never depend on the pose. The vector part of relative Euler
+//! parameters holds an orientation; it has no second solution. Two dot-1 rows that hold axes
+//! parallel have a second solution, rotated by 180°. A position with that solution is an error.
 
 mod couplings;
 mod directions;
@@ -25,7 +25,7 @@ pub use moving::*;
 pub use norm::*;
 pub use points::*;
 
-/// The equations that all joints are made of, by their names in the field (Haug, *Computer Aided
+/// The equations that make all joints, under their names in the field (Haug, *Computer Aided
 /// Kinematics and Dynamics*, section 9.4).
 pub mod primitives {
     pub use super::{

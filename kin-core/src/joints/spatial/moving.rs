@@ -1,15 +1,14 @@
-//! Points that move in their body.
+//! Joints with a point that moves in its body.
 
 use crate::model::law::Law;
 use crate::numbers::algebra::{Vec3, vec3};
 use kin_macros::constraint;
 
-/// A point that moves in body i by laws of time is a point of body j: R_i + A_i ū_i(t) − R_j − A_j
-/// ū_j = 0.
-///    \[m\]
+/// Holds a point that moves in body i by laws of time on a point of body j: R_i + A_i ū_i(t) − R_j
+/// − A_j ū_j = 0. \[m\]
 ///
-/// Removes 3 freedoms. `x_i`, `y_i`, `z_i`: ū_i(t); `u_j`: local position in body j. Lecture,
-/// "Moving Point on Rigid Body".
+/// Removes 3 freedoms. `x_i`, `y_i` and `z_i` are the laws of the local position ū_i(t) in body i
+/// \[m\]. `u_j` is the local position in body j \[m\]. Lecture, "Moving Point on Rigid Body".
 ///
 /// Signs: the laws are coordinates in the frame of body i.
 #[constraint]
@@ -25,14 +24,14 @@ pub fn moving_point(
     i.point(vec3(x_i.at(t), y_i.at(t), z_i.at(t))) - j.point(u_j)
 }
 
-/// A point that moves along a path in body i is a point of body j: R_i + A_i ū_i(s) − R_j − A_j
-/// ū_j = 0.
-///    \[m\]
+/// Holds a point that moves along a path in body i on a point of body j: R_i + A_i ū_i(s) − R_j −
+/// A_j ū_j = 0. \[m\]
 ///
-/// Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i`,
-/// `z_i`: ū_i(s); `u_j`: local position in body j. Lecture, "Moving Point on Rigid Body".
+/// Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i` and
+/// `z_i` are the laws of the local position ū_i(s) in body i \[m\]. `u_j` is the local position in
+/// body j \[m\]. Lecture, "Moving Point on Rigid Body".
 ///
-/// Signs: the laws are coordinates in the frame of body i; `s` grows the way they run.
+/// Signs: the laws are coordinates in the frame of body i. `s` grows in the direction of the path.
 #[constraint]
 pub fn point_on_path(
     i: Spatial,

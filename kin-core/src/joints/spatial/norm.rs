@@ -4,23 +4,24 @@ use kin_macros::constraint;
 
 use crate::numbers::algebra::{EulerParameters, Vec3};
 
-/// The norm of a body's Euler parameters: pᵀ p − 1 = 0.      \[–\]
+/// Keeps the norm of a body's Euler parameters at one: pᵀ p − 1 = 0. \[–\]
 ///
-/// Removes 1 freedom that is none. Every spatial body gets this row by itself when its mechanism is
-/// built. Lecture, "Euler Parameters".
+/// The row removes one coordinate, but no freedom of motion. Kin adds it to every spatial body when
+/// it builds the mechanism. Lecture, "Euler Parameters".
 ///
-/// Signs: p and −p are one pose.
+/// Signs: p and −p describe the same pose.
 #[constraint]
 pub fn euler_norm(b: Spatial) -> f64 {
     b.p.norm_squared() - 1.0
 }
 
-/// The turn of a body about its own axis h, counted from the pose p₀ = `turn`, is held at zero:
-/// (p₀* p)·(0, h) = 0.   \[–\]
+/// Holds a body's rotation about its local axis h at zero, counted from the pose p₀ = `turn`: (p₀*
+/// p)·(0, h) = 0. \[–\]
 ///
-/// Whatever else the body does, it does not turn about h: the twist of its rotation from p₀
-/// vanishes. Removes 1 freedom, that of a rod between two balls which nothing depends on
-/// ([`crate::Mechanism::hold_idle_turns`]); depends on it only where h has been turned by 180°.
+/// The body may move in any other way. The row sets the twist about h of the rotation from p₀ to
+/// zero. It removes the idle rotation of a rod between two ball joints, on which nothing else
+/// depends ([`crate::Mechanism::hold_idle_turns`]). The row is singular only where h has rotated by
+/// 180°.
 ///
 /// P. Dobrowolski, *Swing-twist decomposition in Clifford algebra*, 2015.
 #[constraint]

@@ -3,24 +3,27 @@
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
 
-/// Ball joint: point P is common to both bodies, R_i + A_i ū_i − R_j − A_j ū_j = 0.      \[m\]
+/// Holds point P of body i on point P of body j, as a ball joint does: R_i + A_i ū_i − R_j − A_j
+/// ū_j = 0. \[m\]
 ///
-/// Removes 3 freedoms. `u_i`, `u_j`: local position of P in either body. As a primitive it is
-/// called at-point. Lecture, "Spherical Joint Constraint".
+/// Removes 3 freedoms. `u_i` and `u_j` are the local positions of P in body i and body j \[m\]. As
+/// a primitive this joint is called at-point. Lecture, "Spherical Joint Constraint".
 ///
-/// Signs: none; the rows are global components of the way from P_j to P_i.
+/// Signs: none; the rows are the global components of the vector from P_j to P_i.
 #[constraint]
 pub fn spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
     i.point(u_i) - j.point(u_j)
 }
 
-/// Rod without mass between two balls: (|r_Pi − r_Pj|² − l²)/(2 l) = 0.      \[m\]
+/// Holds two points at a constant distance, as a rod without mass does: (|r_Pi − r_Pj|² − l²)/(2 l)
+/// = 0. \[m\]
 ///
-/// Removes 1 freedom. `u_i`, `u_j`: the balls; a rod between a ball and a universal joint has the
-/// same equation. Near the solution this is
-/// |r_Pi − r_Pj| − l, but it has no singular slope where the points meet. Haug, section 9.4.
+/// Removes 1 freedom. `u_i` and `u_j` are the local positions of the points in body i and body j
+/// \[m\]. `length` is the positive length l of the rod \[m\]. A rod between a ball joint and a
+/// universal joint has the same equation. Near the solution the row is |r_Pi − r_Pj| − l, but its
+/// derivative also exists where the points meet. Haug, section 9.4.
 ///
-/// Signs: none; `length` is above zero, and the rod may point anywhere.
+/// Signs: none; the rod may point in any direction.
 #[constraint]
 #[require(length > 0.0, "a rod needs a length above zero; points that coincide are `spherical`")]
 pub fn distance(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, length: f64) -> f64 {
@@ -28,10 +31,12 @@ pub fn distance(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, length: f64) -> f6
     0.5 * (d.norm_squared() / length - length)
 }
 
-/// Ball on a line: f_j · d = g_j · d = 0 with d = r_Pi − r_Pj.      \[m, m\]
+/// Keeps a point of body i on a line of body j: f_j · d = g_j · d = 0 with d = r_Pi − r_Pj. \[m,
+/// m\]
 ///
-/// Removes 2 freedoms. `u_i`: the ball; `u_j`: a point of the line, `h_j`: its direction; f_j and
-/// g_j are across it. Haug, section 9.4. Measure: `slide`, h_j · d.
+/// Removes 2 freedoms. `u_i` is the local position of the point in body i \[m\]. `u_j` is a point
+/// of the line \[m\] and `h_j` the direction of the line in body j. f_j and g_j are the two
+/// directions across h_j. Haug, section 9.4. Measure: `slide`, h_j · d.
 ///
 /// Signs: the slide grows as i moves along h_j in j.
 #[constraint]
@@ -43,22 +48,23 @@ pub fn point_on_line(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) ->
     (f, g)
 }
 
-/// Ball in a plane: h_j · (r_Pi − r_Pj) = 0.      \[m\]
+/// Keeps a point of body i in a plane of body j: h_j · (r_Pi − r_Pj) = 0. \[m\]
 ///
-/// Removes 1 freedom. `u_i`: the ball; `u_j`: a point of the plane, `h_j`: its normal, whose length
-/// scales the row. As a primitive it is called dot-2. Haug, section 9.4.
+/// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `u_j` is a point of
+/// the plane \[m\] and `h_j` the normal of the plane in body j; its length scales the row. As a
+/// primitive this joint is called dot-2. Haug, section 9.4.
 ///
-/// Signs: the row is positive where the ball is on the side to which h_j points.
+/// Signs: the row is positive where the point is on the side to which h_j points.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the plane needs a normal with a length above zero")]
 pub fn point_in_plane(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3) -> f64 {
     j.direction(h_j).dot(i.point(u_i) - j.point(u_j))
 }
 
-/// One coordinate of a point: n · r_P − c = 0.      \[m\]
+/// Holds one global coordinate of a point at a constant value: n · r_P − c = 0. \[m\]
 ///
-/// Removes 1 freedom. `u`: local position of P; `n`: the global direction along which it is
-/// measured, whose length scales the row and `value`: c. Haug, section 9.4.
+/// Removes 1 freedom. `u` is the local position of P \[m\]. `n` is the global direction of the
+/// coordinate; its length scales the row and c. `value` is c \[m\]. Haug, section 9.4.
 ///
 /// Signs: c grows along `n`.
 #[constraint]

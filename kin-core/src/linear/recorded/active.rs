@@ -1,40 +1,40 @@
-//! The active part of a matrix while its elimination is recorded: cells in rows and columns, and
-//! lines by how many cells they have.
+//! The active part of a matrix while its elimination is recorded: entries by rows and columns, and
+//! lines by their number of entries. An entry is called a cell.
 
-/// No cell, no term, no line.
+/// The index that means no cell, no term, no line.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// One entry of what is left: constant + Σ terms.
+/// One remaining entry: constant + Σ terms.
 #[derive(Clone, Debug)]
 pub(crate) struct Cell {
     pub row: u32,
     pub column: u32,
-    /// Its value by the measures of its row and column.
+    /// Its value, scaled by its row and column.
     pub value: f64,
-    /// The part of it that is the same for good, as it stands.
+    /// Its constant part, unscaled.
     pub constant: f64,
-    /// The first of its terms.
+    /// The first of its terms; `NONE` if it has none.
     pub terms: u32,
-    /// Its places in the lists of its row and column.
+    /// Its positions in the lists of its row and of its column.
     at: [u32; 2],
 }
 
-/// Rows or columns.
+/// The side of a line: row or column.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Side {
     Row,
     Column,
 }
 
-/// The cells that are left.
+/// The remaining cells.
 pub(crate) struct Active {
     pub cells: Vec<Cell>,
-    /// Cells of each row, and of each column.
+    /// The cells of each row, and of each column.
     lines: [Vec<Vec<u32>>; 2],
     pub counts: [Counts; 2],
-    /// The largest |value| of each row; negative where it must be looked for.
+    /// For each row the largest |value|; negative if it must be computed again.
     tops: Vec<f64>,
-    /// The cell of each column in the row at hand.
+    /// For each column the cell of the marked row; `NONE` if there is none.
     mark: Vec<u32>,
 }
 
@@ -53,7 +53,7 @@ impl Active {
         &self.lines[side as usize][k as usize]
     }
 
-    /// A new cell, worth nothing yet.
+    /// Inserts a cell of value zero.
     pub(crate) fn insert(&mut self, row: u32, column: u32) -> u32 {
         let id = self.cells.len() as u32;
         let [rows, columns] = &mut self.lines;
@@ -66,13 +66,13 @@ impl Active {
         id
     }
 
-    /// Takes a cell out of its row and column.
+    /// Removes a cell from its row and column.
     pub(crate) fn remove(&mut self, cell: u32) {
         self.detach(Side::Row, cell);
         self.detach(Side::Column, cell);
     }
 
-    /// Takes a cell out of its row or its column.
+    /// Removes a cell from its row or its column.
     fn detach(&mut self, side: Side, cell: u32) {
         let Cell { row, column, at, .. } = self.cells[cell as usize];
         let line = if side == Side::Row { row } else { column };
@@ -87,8 +87,8 @@ impl Active {
         }
     }
 
-    /// Takes the row and the column of a pivot out: the other cells of its column, and those of its
-    /// row.
+    /// Removes the row and the column of a pivot. Returns the other cells of its column, and those
+    /// of its row.
     pub(crate) fn take_out(&mut self, pivot: u32) -> (Vec<u32>, Vec<u32>) {
         let Cell { row, column, .. } = self.cells[pivot as usize];
         self.counts[Side::Row as usize].remove(row);
@@ -108,25 +108,25 @@ impl Active {
         (lower, upper)
     }
 
-    /// Puts a line where its number of cells belongs, to be looked at again.
+    /// Moves a line to the list of its number of cells, to be examined again.
     pub(crate) fn recount(&mut self, side: Side, line: u32) {
         let count = self.line(side, line).len();
         self.counts[side as usize].put(line, count as u32);
     }
 
-    /// Remembers which cell of the row stands in which column.
+    /// Records the cell of the row in each column.
     pub(crate) fn mark(&mut self, row: u32) {
         for &cell in &self.lines[Side::Row as usize][row as usize] {
             self.mark[self.cells[cell as usize].column as usize] = cell;
         }
     }
 
-    /// The cell in this column of the marked row.
+    /// Returns the cell of the marked row in this column.
     pub(crate) fn marked(&self, column: u32) -> Option<u32> {
         Some(self.mark[column as usize]).filter(|cell| *cell != NONE)
     }
 
-    /// Forgets the marks of the row, whose values have changed.
+    /// Removes the marks of the row, whose values have changed.
     pub(crate) fn unmark(&mut self, row: u32) {
         for &cell in &self.lines[Side::Row as usize][row as usize] {
             self.mark[self.cells[cell as usize].column as usize] = NONE;
@@ -135,7 +135,7 @@ impl Active {
         self.recount(Side::Row, row);
     }
 
-    /// A cell that is zero for good leaves the marked row.
+    /// Removes a cell that is always zero from the marked row.
     pub(crate) fn vanish(&mut self, cell: u32) {
         let column = self.cells[cell as usize].column;
         self.mark[column as usize] = NONE;
@@ -143,7 +143,7 @@ impl Active {
         self.recount(Side::Column, column);
     }
 
-    /// The largest |value| of a row.
+    /// Returns the largest |value| of a row.
     pub(crate) fn top(&mut self, row: u32) -> f64 {
         if self.tops[row as usize] < 0.0 {
             let cells = self.line(Side::Row, row).iter();
@@ -154,12 +154,17 @@ impl Active {
     }
 }
 
-/// Lines by their number of cells: doubly linked lists, so that every change takes the same time.
+/// The lines by their number of cells, in doubly linked lists, so that every change takes constant
+/// time.
 pub(crate) struct Counts {
+    /// The first line with each number of cells, indexed by that number; `NONE` if there is no such
+    /// line.
     first: Vec<u32>,
+    /// The line after each line in its list; `NONE` after the last one.
     next: Vec<u32>,
+    /// The line before each line in its list; `NONE` before the first one.
     previous: Vec<u32>,
-    /// The list each line stands in; `NONE` if in none.
+    /// The list that contains each line; `NONE` if no list does.
     list: Vec<u32>,
 }
 
@@ -193,7 +198,7 @@ impl Counts {
         self.list[line as usize] = count;
     }
 
-    /// Takes a line out, until it changes.
+    /// Removes a line until it changes.
     pub(crate) fn remove(&mut self, line: u32) {
         let k = line as usize;
         let list = std::mem::replace(&mut self.list[k], NONE);

@@ -1,23 +1,27 @@
-//! Terms of a cell while its elimination is recorded, and the step that computes it in the end.
+//! The terms of a cell while its elimination is recorded, and the step that computes the cell at
+//! the end.
 
 use super::active::NONE;
 use super::program::Kind;
 use super::record::{Inverse, Lists, Number, Recorder};
 
-/// One number of a cell: a product, or one number with a sign.
+/// One term of a cell: a product, or a number with a sign.
 #[derive(Clone, Copy)]
 pub(crate) struct Term {
+    /// The place of the first factor, or of the number.
     a: u32,
+    /// The place of the second factor, or one of the special values below.
     b: u32,
+    /// The index of the next term of the cell.
     next: u32,
 }
 
-/// In place of the second factor: the term is added or subtracted.
+/// Special values of the second factor: the first factor is added or subtracted.
 pub(crate) const PLUS: u32 = NONE;
 const MINUS: u32 = NONE - 1;
 
 impl Recorder<'_> {
-    /// Subtracts a product from a cell, by what is known of it for good.
+    /// Subtracts a product from a cell, with its constant factors folded.
     pub(crate) fn subtract(&mut self, cell: u32, l: Number, u: Number) {
         match (l, u) {
             (Number::Constant(l), Number::Constant(u)) => {
@@ -43,7 +47,7 @@ impl Recorder<'_> {
         self.terms.push(Term { a, b, next });
     }
 
-    /// The place of a constant in the memory.
+    /// Returns the place of a constant in the memory.
     pub(crate) fn constant(&mut self, value: f64) -> u32 {
         if value == 0.0 {
             return self.places.zero;
@@ -54,13 +58,13 @@ impl Recorder<'_> {
         })
     }
 
-    /// A new place in the memory.
+    /// Returns a new place in the memory.
     pub(crate) fn place(&mut self) -> u32 {
         self.memory.push(0.0);
         self.memory.len() as u32 - 1
     }
 
-    /// The final number of a cell, with a step for it if there is anything to compute.
+    /// Returns the final number of a cell, and writes a step if something must be computed.
     pub(crate) fn number(&mut self, id: u32) -> Number {
         let cell = &self.active.cells[id as usize];
         if cell.terms == NONE {
@@ -73,7 +77,7 @@ impl Recorder<'_> {
         Number::At(self.compute(id, Kind::Plain, self.places.zero, self.weight(id)))
     }
 
-    /// The number of a cell of U divided by its pivot.
+    /// Returns the number of a cell of U divided by its pivot.
     pub(crate) fn multiplier(&mut self, id: u32, inverse: Inverse, pivot_column: u32) -> Number {
         let cell = &self.active.cells[id as usize];
         match (inverse, cell.terms) {
@@ -90,7 +94,7 @@ impl Recorder<'_> {
         }
     }
 
-    /// One over the number of a pivot.
+    /// Returns one divided by the number of a pivot.
     pub(crate) fn inverse(&mut self, id: u32) -> Inverse {
         let cell = &self.active.cells[id as usize];
         let row = cell.row;
@@ -108,13 +112,13 @@ impl Recorder<'_> {
         }
     }
 
-    /// The factor that makes a cell a number of order 1.
+    /// Returns the factor that scales a cell to order 1.
     pub(crate) fn weight(&self, id: u32) -> f64 {
         let cell = &self.active.cells[id as usize];
         self.input.row_units[cell.row as usize] * self.input.column_units[cell.column as usize]
     }
 
-    /// Writes the step that computes a cell, and gives its place; `weight` is for the watch.
+    /// Writes the step that computes a cell, and returns its place; the check uses `weight`.
     pub(crate) fn compute(&mut self, id: u32, kind: Kind, scale: u32, weight: f64) -> u32 {
         self.recording.weights.push(weight);
         let start = self.gather(id, kind == Kind::Negated);
@@ -124,7 +128,8 @@ impl Recorder<'_> {
         out
     }
 
-    /// The operands of a cell, signs turned if it is to be negated; gives where it starts.
+    /// Collects the operands of a cell, with opposite signs if it is to be negated. Returns the
+    /// place of its first operand.
     pub(crate) fn gather(&mut self, id: u32, negated: bool) -> u32 {
         let cell = &self.active.cells[id as usize];
         let mut start = None;

@@ -1,23 +1,22 @@
-//! The code of a program and its interpreter: no search, no allocation, one memory for everything.
+//! The code of a program and its interpreter: no search, no allocation, one memory.
 //!
-//! Steps of one shape follow one another in runs ([`order`](super::order) sees to it), and the
-//! interpreter has a copy for each of the common shapes: so it asks seldom what to do next. A
-//! memory of at most 256 numbers is addressed by bytes, which cannot leave it: there no access is
-//! checked.
+//! Steps of one shape follow one another in runs ([`order`](super::order) arranges them), and the
+//! interpreter has a copy for each of the common shapes. So it rarely decodes. A memory of at most
+//! 256 numbers has addresses of one byte, which need no bounds check.
 
 use super::program::{Kind, Operands, Step};
 
-/// Up to this many numbers a memory is addressed by bytes, and must have just this length.
+/// The largest memory with addresses of one byte; such a memory must have exactly this length.
 pub(crate) const SMALL: usize = 256;
 
-/// Up to 3 products, 2 numbers added and 2 subtracted have opcodes of their own, and up to 7
-/// products alone: 40 for each kind of step.
+/// The number of short shapes of each kind of step: up to 3 products, 2 added and 2 subtracted
+/// numbers, and up to 7 products alone.
 const SHAPES: usize = 40;
 
 /// The opcode of steps with more operands.
 const LONG: u8 = u8::MAX;
 
-/// Runs of steps with the places they work on.
+/// Runs of steps with the places of their operands.
 #[derive(Clone, Debug)]
 pub(crate) enum Code {
     Small(Flat<u8>),
@@ -31,7 +30,7 @@ impl Default for Code {
 }
 
 impl Code {
-    /// Code for a memory of that many numbers.
+    /// Creates code for a memory of this many numbers.
     pub(crate) fn new(memory: usize) -> Self {
         if memory <= SMALL { Code::Small(Flat::default()) } else { Code::Large(Flat::default()) }
     }
@@ -55,7 +54,7 @@ impl Code {
     }
 }
 
-/// The place of a number in a memory of the right length.
+/// The type of a place in a memory.
 pub(crate) trait PlaceWidth: Copy + Default {
     type Memory: ?Sized;
     fn new(place: u32) -> Self;
@@ -104,19 +103,19 @@ impl PlaceWidth for u32 {
 pub(crate) struct Flat<P> {
     runs: Vec<Run>,
     places: Vec<P>,
-    /// The shape of the step at the end, and of each run of long steps.
+    /// The shape of the last step.
     last: Option<Shape>,
     long: Vec<Shape>,
 }
 
-/// Steps of one shape that follow one another: their opcode, and how many come after the first one.
+/// Consecutive steps of one shape: their opcode, and the number of steps after the first one.
 #[derive(Clone, Copy, Debug)]
 struct Run {
     opcode: u8,
     more: u32,
 }
 
-/// The operation of a step, and the number of its operands.
+/// The operation of a step, and the numbers of its operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct Shape {
     pub kind: Kind,
@@ -126,12 +125,12 @@ pub(crate) struct Shape {
 }
 
 impl Shape {
-    /// How many places a step has: where it writes, where it starts, its operands, its scale.
+    /// Returns the number of places of a step: its output, its start, its operands, its scale.
     const fn length(self) -> usize {
         2 + 2 * self.products + self.plus + self.minus + matches!(self.kind, Kind::Scaled) as usize
     }
 
-    /// Its own opcode, if it is short.
+    /// Returns the opcode of the shape, if it is short.
     fn opcode(self) -> u8 {
         let Shape { kind, products, plus, minus } = self;
         let shape = match (products, plus, minus) {
@@ -142,7 +141,7 @@ impl Shape {
         (kind as usize * SHAPES + shape) as u8
     }
 
-    /// The shape that an opcode means.
+    /// Returns the shape of an opcode.
     const fn of(opcode: u8) -> Self {
         let shape = opcode as usize % SHAPES;
         let kind = match opcode as usize / SHAPES {
@@ -158,9 +157,9 @@ impl Shape {
     }
 }
 
-/// Runs the copy of the interpreter for an opcode: of shapes that make up nearly all programs where
-/// it is asked for, of others behind a call. With all copies in one function a third of the time
-/// that LLVM takes for this crate went into it.
+/// Runs the copy of the interpreter for an opcode. Common shapes, which make up nearly all
+/// programs, are inlined; rare ones are called. With all copies inlined LLVM took a third of the
+/// time of this crate for one function.
 macro_rules! by_opcode {
     ($run:expr, $shapes:expr, $places:expr, $memory:expr; common $($common:literal)*; rare $($rare:literal)*) => {
         match $run.opcode {
@@ -204,15 +203,14 @@ impl<P: PlaceWidth> Flat<P> {
     }
 }
 
-/// Steps whose shape is known when the interpreter is compiled; gives the places of the steps after
-/// them.
+/// Runs steps whose shape is known at compile time, and returns the places of the following steps.
 #[inline(always)]
 fn short<'a, P: PlaceWidth, const OPCODE: u8, const LENGTH: usize>(
     mut more: u32,
     mut places: &'a [P],
     memory: &mut P::Memory,
 ) -> &'a [P] {
-    // Runs are mostly short: a loop that counts its places first (`chunks_exact`) is unrolled,
+    // Runs are mostly short. A loop that counts its places first (`chunks_exact`) is unrolled,
     // which costs more than it saves.
     while let Some((own, rest)) = places.split_first_chunk::<LENGTH>() {
         compute(const { Shape::of(OPCODE) }, own, memory);
@@ -246,13 +244,13 @@ fn long<'a, P: PlaceWidth>(
     rest
 }
 
-/// One step; `places` are its own.
+/// Runs one step; `places` are its places.
 #[inline(always)]
 fn compute<P: PlaceWidth>(shape: Shape, places: &[P], memory: &mut P::Memory) {
     let Shape { kind, products, plus, minus } = shape;
     let (factors, terms) = places[2..].split_at(2 * products);
     let start = places[1].get(memory);
-    // Two sums side by side: one alone would wait for each product to be added before the next.
+    // Two sums in parallel: with a single sum each product would wait for the one before.
     let mut sums = [if kind == Kind::Negated { -start } else { start }, 0.0];
     for (k, pair) in factors.chunks_exact(2).enumerate() {
         let a = pair[0].get(memory);
@@ -270,7 +268,7 @@ fn compute<P: PlaceWidth>(shape: Shape, places: &[P], memory: &mut P::Memory) {
     places[0].set(memory, if kind == Kind::Pivot { x.recip() } else { x });
 }
 
-/// x + a b, rounded once where the target can.
+/// Returns x + a b, rounded once if the target can.
 #[inline(always)]
 fn sum(x: f64, a: f64, b: f64) -> f64 {
     if cfg!(target_feature = "fma") { a.mul_add(b, x) } else { x + a * b }

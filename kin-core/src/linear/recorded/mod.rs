@@ -1,5 +1,5 @@
-//! Sparse elimination recorded once, in an order for little work, and replayed as straight runs of
-//! a few operations.
+//! A sparse elimination that is recorded once, in a cheap order, and replayed as straight runs of a
+//! few operations.
 
 mod active;
 mod cells;

@@ -1,12 +1,12 @@
-//! The order in which the steps of a program run: any that keeps its results, chosen so that steps
-//! of one shape follow one another.
+//! The order of the steps of a program: any order that keeps the results, with steps of one shape
+//! together.
 
 use std::collections::HashMap;
 
 use super::active::NONE;
 use super::code::Shape;
 
-/// A step as far as its order is concerned.
+/// A step, as far as its order is concerned.
 pub(crate) struct Ordered {
     pub shape: Shape,
     pub out: u32,
@@ -14,8 +14,8 @@ pub(crate) struct Ordered {
     pub reads: Vec<u32>,
 }
 
-/// The numbers of the steps in the order in which they should run: among those that may run next
-/// one of the shape before, else one of the shape that most of them have.
+/// Returns the indices of the steps in the order of execution. Among the steps that may run next it
+/// takes one of the present shape, or else one of the most frequent shape.
 pub(crate) fn order(steps: &[Ordered]) -> Vec<u32> {
     let mut waiting = Waiting::new(steps);
     let mut ready = Ready::default();
@@ -30,18 +30,19 @@ pub(crate) fn order(steps: &[Ordered]) -> Vec<u32> {
     order
 }
 
-/// Which steps wait for which.
+/// The dependencies of steps.
 struct Waiting {
-    /// How many steps each one waits for.
+    /// For each step the number of steps that must run before it.
     counts: Vec<u32>,
-    /// The steps that wait for each step: linked lists of (step, next).
+    /// For each step the first link to a step that waits for it; `links` contains (step, next
+    /// link).
     first: Vec<u32>,
     links: Vec<(u32, u32)>,
 }
 
 impl Waiting {
-    /// A step waits for the one that writes what it reads, and for all that have read or written
-    /// before what it writes.
+    /// Computes the dependencies: a step waits for the one that writes what it reads, and for all
+    /// steps that read or write its output before it.
     fn new(steps: &[Ordered]) -> Self {
         let mut waiting = Waiting {
             counts: vec![0; steps.len()],
@@ -53,7 +54,8 @@ impl Waiting {
             .flat_map(|step| step.reads.iter().chain([&step.out]))
             .max()
             .map_or(0, |last| *last as usize + 1);
-        // By place: who has written it, and who has read that: linked lists of (step, next).
+        // For each place the step that has written it and the steps that have read that: linked
+        // lists of (step, next).
         let mut writer = vec![NONE; places];
         let mut readers = vec![NONE; places];
         let mut reads = Vec::<(u32, u32)>::new();
@@ -93,7 +95,7 @@ impl Waiting {
         }
     }
 
-    /// A step has run: those that wait for nothing any more.
+    /// Releases the steps that wait for nothing after this step has run.
     fn release(&mut self, step: u32, mut freed: impl FnMut(u32)) {
         let mut link = self.first[step as usize];
         while link != NONE {
@@ -107,7 +109,7 @@ impl Waiting {
     }
 }
 
-/// Steps that may run, by their shapes.
+/// The steps that may run, by their shapes.
 #[derive(Default)]
 struct Ready {
     number: HashMap<Shape, usize>,
@@ -128,7 +130,7 @@ impl Ready {
         if let Some(step) = self.queues.get_mut(self.current).and_then(|queue| queue.pop_front()) {
             return Some(step);
         }
-        // The first of the longest, so that the order is the same each time.
+        // The first of the longest queues, so that the order is always the same.
         self.current = (0..self.queues.len()).rev().max_by_key(|&k| self.queues[k].len())?;
         self.queues[self.current].pop_front()
     }

@@ -1,30 +1,31 @@
-//! The sign of the determinant, block by block: two solutions that meet at a singular position
+//! The sign of the determinant, block by block. Two solutions that meet at a singular position
 //! differ in it.
 //!
-//! C_q falls into diagonal blocks that follow one another (a crank, then each loop it drives); the
-//! determinant is the product of theirs. The sign of each is what rules out that one loop turns
-//! over while another does too. A block is found as a set of pivots that reach one another, row by
-//! row over the structure; whatever pivots a recording has chosen, its rows and columns are the
-//! same, and so is its sign.
+//! C_q has diagonal blocks that follow one another (a crank, then each loop that it drives), and
+//! its determinant is the product of theirs. The sign of each block shows that no loop turns over
+//! while another one does too. A block is a set of pivots that reach one another through the
+//! structure, row by row. Its rows and columns, and so its sign, do not depend on the choice of
+//! pivots.
 
 use super::super::Linear;
 use super::record::{Inverse, Pivot};
 
-/// The data that give the signs of determinants from the pivots of a replay.
+/// The data that determine the signs of determinants from the pivots of a replay.
 #[derive(Debug, Default)]
 pub(crate) struct Orientation {
-    /// Where one over each pivot that is no constant stands, and the block it belongs to.
+    /// For each pivot that is not constant the place of one divided by it, and the index of its
+    /// block.
     pub pivots: Vec<(u32, u32)>,
-    /// True for each block with such pivots, in the order of their first rows, if the rest of its
-    /// determinant is negative.
+    /// For each block with such pivots, in the order of their first rows, true if the constant part
+    /// of its determinant is negative.
     pub blocks: Vec<bool>,
-    /// The same of the whole matrix.
+    /// True if the constant part of the determinant of the whole matrix is negative.
     whole: bool,
 }
 
 impl Orientation {
-    /// Of pivots in the order of their choice; `constants` are row, column and value of those that
-    /// never change, `places` row and column of all cells.
+    /// Computes the data from the pivots in their order. `constants` contains row, column and value
+    /// of constant pivots, `places` row and column of all cells.
     pub(crate) fn new(
         pivots: &[Pivot],
         constants: &[(u32, u32, f64)],
@@ -64,7 +65,8 @@ impl Orientation {
     }
 }
 
-/// True if the permutation of these rows to their columns, both in ascending order, is odd.
+/// Returns true if the permutation of these rows to their columns, both in increasing order, is
+/// odd.
 fn odd(rows: &[usize], column_of: &[usize]) -> bool {
     let mut columns: Vec<usize> = rows.iter().map(|row| column_of[*row]).collect();
     columns.sort_unstable();
@@ -82,7 +84,7 @@ fn odd(rows: &[usize], column_of: &[usize]) -> bool {
     odd
 }
 
-/// The sets of rows that reach one another, where a row leads to those whose pivots stand in its
+/// Returns the sets of rows that reach one another. A row leads to the rows whose pivots are in its
 /// columns (Kosaraju).
 fn components(column_of: &[usize], places: impl Iterator<Item = (u32, u32)>) -> Vec<Vec<usize>> {
     let n = column_of.len();
@@ -111,7 +113,7 @@ fn components(column_of: &[usize], places: impl Iterator<Item = (u32, u32)>) -> 
     found
 }
 
-/// Appends what is reached from there and was not seen, each after what it leads to.
+/// Appends the rows that are reachable from `first` and not visited, each after its successors.
 fn visit(first: usize, next: &[Vec<usize>], seen: &mut [bool], order: &mut Vec<usize>) {
     if std::mem::replace(&mut seen[first], true) {
         return;
@@ -142,7 +144,7 @@ impl Linear {
         }
     }
 
-    /// True if the determinant of the whole matrix is negative at the last factoring.
+    /// Returns true if the determinant of the whole matrix is negative at the last factoring.
     pub(crate) fn is_negative(&self) -> bool {
         let Some(recording) = &self.recording else { return false };
         let pivots = recording.orientation.pivots.iter();

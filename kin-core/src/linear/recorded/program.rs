@@ -1,8 +1,8 @@
-//! The program of a recorded elimination: which number is computed from which, in what order.
+//! The program of a recorded elimination: which number is computed from which, and in what order.
 //!
-//! Each step writes one number that is a sum of products of numbers already there. The same program
-//! makes the factors, solves with them, and, backwards, solves with the transpose;
-//! [`code`](super::code) is the form in which it is replayed.
+//! Each step writes one number that is a sum of products of existing numbers. The same program
+//! computes the factors, solves with them, and, backwards, solves with the transpose.
+//! [`code`](super::code) is the form that is replayed.
 
 use super::code::{Code, Shape};
 use super::order::{Ordered, order};
@@ -10,44 +10,57 @@ use super::order::{Ordered, order};
 /// The operations of a step on `start − Σ products + Σ plus − Σ minus`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Kind {
-    /// Writes it.
+    /// Writes the sum.
     Plain,
     /// Writes Σ products − start + Σ plus − Σ minus instead.
     Negated,
-    /// Writes it times `scale`; while factoring it is a multiplier, which must not grow.
+    /// Writes the sum times `scale`; during factoring the result is a multiplier, which must not
+    /// grow.
     Scaled,
-    /// Writes one over it: it is a pivot, which must not vanish.
+    /// Writes one divided by the sum; the sum is a pivot, which must not vanish.
     Pivot,
 }
 
-/// One number to be computed; its operands are the next ones of the program's lists.
+/// One number to be computed; its operands are the next ones in the program's lists.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Step {
     pub kind: Kind,
+    /// The place of the result.
     pub out: u32,
+    /// The place of the number with which the sum begins.
     pub start: u32,
+    /// The place of the factor of a [`Kind::Scaled`] step; other kinds do not read it.
     pub scale: u32,
+    /// How many products the step takes from the program's list.
     products: u32,
+    /// How many added numbers the step takes from the program's list.
     plus: u32,
+    /// How many subtracted numbers the step takes from the program's list.
     minus: u32,
 }
 
 /// The operands of one step.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Operands<'a> {
+    /// The places of the two factors of each subtracted product.
     pub products: &'a [[u32; 2]],
+    /// The places of the added numbers.
     pub plus: &'a [u32],
+    /// The places of the subtracted numbers.
     pub minus: &'a [u32],
 }
 
-/// Steps in the order in which they run.
+/// The steps in the order in which they were appended.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Program {
     steps: Vec<Step>,
+    /// The factors of the products of all steps, step by step.
     products: Vec<[u32; 2]>,
+    /// The added and then the subtracted numbers of each step, step by step.
     terms: Vec<u32>,
-    /// The order of the code.
+    /// The order of the steps in the code.
     order: Vec<u32>,
+    /// The form that is replayed, written by [`Program::finish`].
     code: Code,
 }
 
@@ -77,7 +90,7 @@ impl Program {
         self.terms.extend_from_slice(minus);
     }
 
-    /// Writes the code for a memory of that many numbers, to be called after the last step.
+    /// Writes the code for a memory of this many numbers, after the last step.
     pub(crate) fn finish(&mut self, memory: usize) {
         let mut products = &self.products[..];
         let mut terms = &self.terms[..];
@@ -99,12 +112,12 @@ impl Program {
         (self.code, self.order) = (code, order);
     }
 
-    /// The operation and the output of each step, in the order in which they were appended.
+    /// Returns the operation and the output of each step, in the order in which they were appended.
     pub(crate) fn written(&self) -> impl Iterator<Item = (Kind, u32)> {
         self.steps.iter().map(|step| (step.kind, step.out))
     }
 
-    /// Gives each number another place.
+    /// Changes the place of each number.
     pub(crate) fn rename(&mut self, places: &[u32]) {
         let steps = self
             .steps
@@ -114,7 +127,7 @@ impl Program {
         steps.chain(operands).for_each(|place| *place = places[*place as usize]);
     }
 
-    /// How many steps there are.
+    /// Returns the number of steps.
     pub(crate) fn len(&self) -> usize {
         self.steps.len()
     }
@@ -124,8 +137,8 @@ impl Program {
         self.code.run(memory);
     }
 
-    /// The transpose of a program that is linear in its last factors and its starts: what was `out`
-    /// comes in, what was read comes out, in `adjoint`; `memory` gives the other factors.
+    /// Runs the transpose of a program that is linear in its last factors and its starts. In
+    /// `adjoint` the outputs come in, and the inputs come out; `memory` contains the other factors.
     pub(crate) fn run_transposed(&self, memory: &[f64], adjoint: &mut [f64]) {
         let mut products = &self.products[..];
         let mut terms = &self.terms[..];
@@ -144,7 +157,7 @@ impl Program {
         }
     }
 
-    /// How many numbers it computes and how many operands it reads.
+    /// Returns the number of computed numbers and of their operands.
     #[cfg(test)]
     pub(crate) fn size(&self) -> (usize, usize) {
         (self.steps.len(), 2 * self.products.len() + self.terms.len())
@@ -152,13 +165,13 @@ impl Program {
 }
 
 impl Step {
-    /// The operation of the step, with the number of its operands.
+    /// Returns the operation of the step, with the number of its operands.
     pub(crate) fn shape(&self) -> Shape {
         let [products, plus, minus] = [self.products, self.plus, self.minus].map(|n| n as usize);
         Shape { kind: self.kind, products, plus, minus }
     }
 
-    /// Where it writes and what it reads.
+    /// Returns the place that the step writes and those that it reads.
     fn ordered(&self, operands: &Operands<'_>) -> Ordered {
         let scale = (self.kind == Kind::Scaled).then_some(self.scale);
         let terms = operands.plus.iter().chain(operands.minus).copied();
@@ -174,14 +187,14 @@ impl Step {
     }
 }
 
-/// The next `n` of the list.
+/// Takes the next `n` elements of the list.
 fn take<'a, T>(list: &mut &'a [T], n: u32) -> &'a [T] {
     let (own, rest) = list.split_at(n as usize);
     *list = rest;
     own
 }
 
-/// The last `n` of the list.
+/// Takes the last `n` elements of the list.
 fn take_last<'a, T>(list: &mut &'a [T], n: u32) -> &'a [T] {
     let (rest, own) = list.split_at(list.len() - n as usize);
     *list = rest;

@@ -1,11 +1,10 @@
-//! Records an elimination: chooses pivots at real numbers and writes down what each of them
-//! computes.
+//! Records an elimination: chooses pivots at real numbers and writes the steps of each pivot.
 //!
 //! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those
-//! that are not small against the largest of their row. A = L U with L as it comes and the rows of
-//! U divided by their pivots, where both have cells; a pivot alone in its column divides at the end
-//! of back substitution instead, and one alone in its row needs no back substitution. Cells that
-//! never change are computed here and never again.
+//! that are not small relative to the largest cell of their row. A = L U, where the rows of U are
+//! divided by their pivots if both L and U have cells. A pivot alone in its column divides at the
+//! end of back substitution instead, and a pivot alone in its row needs no back substitution.
+//! Constant cells are computed only here.
 
 use std::collections::HashMap;
 
@@ -17,29 +16,29 @@ use super::orientation::Orientation;
 use super::program::{Kind, Program};
 use super::solving;
 
-/// A pivot is at least this share of the largest cell in its row.   \[-\]
+/// A pivot is at least this share of the largest cell in its row. \[-\]
 const THRESHOLD: f64 = 0.1;
 
-/// Lines with a possible pivot that are compared.
+/// The number of lines with a possible pivot that are compared.
 const COMPARED: usize = 4;
 
-/// A matrix to be recorded: values as written, measures of rows and columns, and where the memory
-/// of the program begins.
+/// A matrix to be recorded: unscaled values, scales of rows and columns, and the start of the
+/// program's memory.
 pub(crate) struct Input<'a> {
     pub n: usize,
-    /// Row and column of each value; `None` for those that stand nowhere.
+    /// The row and column of each value; `None` for values without an entry.
     pub entries: &'a [Option<(u32, u32)>],
-    /// Values in the order of rows, then of columns.
+    /// The indices of the values, sorted by rows, then by columns.
     pub sorted: &'a [u32],
-    /// Values that never change; `None` for those that can.
+    /// For each value its number if it is constant, otherwise `None`.
     pub constants: &'a [Option<f64>],
-    /// One over the measure of each row, and of each column.
+    /// One divided by the norm of each row.
     pub row_units: &'a [f64],
     pub column_units: &'a [f64],
 }
 
 impl Input<'_> {
-    /// Row and column of each value that is not zero for good.
+    /// Returns the row and column of each value that is not always zero.
     fn places(&self) -> impl Iterator<Item = (u32, u32)> {
         let constants = self.constants.iter().copied().chain(std::iter::repeat(None));
         self.entries
@@ -49,7 +48,7 @@ impl Input<'_> {
     }
 }
 
-/// Where right side, solution and three constants stand, after the values.
+/// The places of right side, solution and three constants, after the values.
 #[derive(Clone, Copy)]
 pub(crate) struct Places {
     pub rhs: u32,
@@ -62,19 +61,20 @@ pub(crate) struct Places {
 pub(crate) struct Recording {
     pub factor: Program,
     pub solve: Program,
-    /// The factor that made each factored number one of order 1 when it was recorded.
+    /// For each factored number the factor that scaled it to order 1 at the recording.
     pub weights: Vec<f64>,
-    /// Step, row and column of each pivot that is no constant.
+    /// For each pivot that is not constant its step, row and column.
     pub watched: Vec<(u32, u32, u32)>,
-    /// Row, column and value of the other pivots.
+    /// For each constant pivot its row, column and value.
     pub constant: Vec<(u32, u32, f64)>,
     pub orientation: Orientation,
-    /// Where in the memory the numbers that are factored begin, each kind of them in whole fours,
-    /// and where they end.
+    /// The places at which the factored numbers begin, each kind at a multiple of four, and the
+    /// end.
     pub factored: Factored,
 }
 
-/// The numbers that are factored: pivots (one over them), multipliers, and all others.
+/// The places of the factored numbers: pivots (as one divided by them), multipliers, and all
+/// others.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Factored {
     pub cells: usize,
@@ -84,8 +84,8 @@ pub(crate) struct Factored {
 }
 
 impl Recording {
-    /// Places the numbers that are factored behind the constants, kind by kind; `begin` is where
-    /// constants begin.
+    /// Places the factored numbers after the constants, kind by kind; `begin` is the first place of
+    /// a constant.
     fn arrange(&mut self, begin: usize, memory: &mut Vec<f64>) {
         let mut kinds = vec![None; memory.len()];
         self.factor.written().for_each(|(kind, out)| kinds[out as usize] = Some(kind));
@@ -116,15 +116,15 @@ impl Recording {
     }
 }
 
-/// A number that elimination has come to.
+/// A number in the elimination.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Number {
     Constant(f64),
-    /// At this place of the memory.
+    /// The number at this place of the memory.
     At(u32),
 }
 
-/// One over a pivot.
+/// One divided by a pivot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Inverse {
     One,
@@ -136,13 +136,15 @@ pub(crate) enum Inverse {
 pub(crate) struct Pivot {
     pub row: u32,
     pub column: u32,
+    /// The value of one divided by the pivot.
     pub inverse: Inverse,
     /// True if its column has cells in L.
     pub has_lower: bool,
+    /// The range of the row in [`Recorder::upper`].
     pub upper: std::ops::Range<usize>,
 }
 
-/// The elimination while it is recorded.
+/// The elimination during its recording.
 pub(crate) struct Recorder<'a> {
     pub input: &'a Input<'a>,
     pub places: Places,
@@ -151,20 +153,26 @@ pub(crate) struct Recorder<'a> {
     pub terms: Vec<Term>,
     pub constants: HashMap<u64, u32>,
     pub recording: Recording,
+    /// The pivots in the order of their choice.
     pub pivots: Vec<Pivot>,
-    /// Columns and numbers of U, pivot by pivot.
+    /// The columns and numbers of U, pivot by pivot.
     pub upper: Vec<(u32, Number)>,
-    /// Columns and numbers of L with the next one of the row, and the first of each row.
+    /// The cells of L as (column, number, next cell of the row); `lower_first` contains the first
+    /// cell of each row.
     pub lower: Vec<(u32, Number, u32)>,
+    /// The index of the first cell of each row in `lower`.
     pub lower_first: Vec<u32>,
     pub lists: Lists,
 }
 
-/// Operands of one step while they are gathered.
+/// The operands of one step, while they are collected.
 #[derive(Default)]
 pub(crate) struct Lists {
+    /// The places of the two factors of each product.
     pub products: Vec<[u32; 2]>,
+    /// The places of the added numbers.
     pub plus: Vec<u32>,
+    /// The places of the subtracted numbers.
     pub minus: Vec<u32>,
 }
 
@@ -176,8 +184,11 @@ impl Lists {
     }
 }
 
-/// Chooses all pivots and writes both programs; `None` where there is no further pivot. The memory
-/// holds the values.
+/// Chooses all pivots and writes both programs. Returns `None` if there is no further pivot. The
+/// memory contains the values.
+///
+/// The phases are: the cells of the matrix, then one pivot after the other, then the program of
+/// forward and back substitution, then the places of the factored numbers.
 pub(crate) fn record(
     input: &Input<'_>,
     places: Places,
@@ -213,7 +224,7 @@ pub(crate) fn record(
 }
 
 impl Recorder<'_> {
-    /// The cells of the matrix as written.
+    /// Creates the cells of the matrix.
     fn fill(&mut self) {
         let mut last = None;
         for &k in self.input.sorted {
@@ -248,7 +259,7 @@ impl Recorder<'_> {
         }
     }
 
-    /// The next pivot, if there is one.
+    /// Returns the next pivot, if there is one.
     fn choose(&mut self) -> Option<u32> {
         let mut best = Candidate::default();
         let mut compared = 0;
@@ -276,7 +287,8 @@ impl Recorder<'_> {
         best.cell
     }
 
-    /// Compares the possible pivots of a line with the best so far; false if there are none.
+    /// Compares the possible pivots of a line with the best so far. Returns false if there are
+    /// none.
     fn compare(&mut self, side: Side, line: u32, best: &mut Candidate) -> bool {
         let count = self.active.line(side, line).len();
         let mut found = false;
@@ -300,7 +312,7 @@ impl Recorder<'_> {
         found
     }
 
-    /// Writes down what the pivot does and updates what is left.
+    /// Writes the steps of the pivot and updates the remaining cells.
     fn eliminate(&mut self, pivot: u32) {
         let cell = self.active.cells[pivot as usize].clone();
         let (lower, upper) = self.active.take_out(pivot);
@@ -337,7 +349,7 @@ impl Recorder<'_> {
         }
     }
 
-    /// a_ij −= l_i u_j in one row.
+    /// Subtracts in one row: a_ij −= l_i u_j.
     fn update(&mut self, row: u32, l: Number, share: f64, from: usize, upper: &[u32]) {
         self.active.mark(row);
         for (k, &source) in upper.iter().enumerate() {
@@ -361,10 +373,11 @@ impl Recorder<'_> {
 
 /// A possible pivot.
 struct Candidate {
+    /// The index of the cell; `None` before the first candidate.
     cell: Option<u32>,
     /// Markowitz' count.
     cost: usize,
-    /// True if it is 1 or −1 for good.
+    /// True if it is always 1 or −1.
     unit: bool,
     size: f64,
 }
@@ -376,7 +389,7 @@ impl Default for Candidate {
 }
 
 impl Candidate {
-    /// Takes the other one if it is better: cheaper, free of division, larger.
+    /// Takes the other candidate if it is better: cheaper, without a division, larger.
     fn take(&mut self, other: Candidate) {
         let order = self
             .cost

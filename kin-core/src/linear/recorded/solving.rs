@@ -1,4 +1,4 @@
-//! The program of forward and back substitution for a recorded elimination.
+//! Writes the program of forward and back substitution for a recorded elimination.
 
 use super::active::NONE;
 use super::program::Kind;
@@ -6,8 +6,8 @@ use super::record::{Inverse, Number, Recorder};
 
 /// Writes the program: forward in the order of the pivots, then back.
 ///
-/// A pivot without cells in U is done after forward substitution, one without cells in L is done in
-/// one step on the way back.
+/// A pivot without cells in U is complete after forward substitution. A pivot without cells in L
+/// needs one step on the way back.
 pub(crate) fn write(recorder: &mut Recorder<'_>) {
     for k in 0..recorder.pivots.len() {
         let pivot = &recorder.pivots[k];
@@ -31,8 +31,8 @@ pub(crate) fn write(recorder: &mut Recorder<'_>) {
     }
 }
 
-/// x_k = (start − Σ l x − Σ u x) / pivot, with those parts that are asked for; a row of U that is
-/// taken alone is divided already.
+/// Writes x_k = (start − Σ l x − Σ u x) / pivot with the requested parts. A row of U that is used
+/// alone is already divided.
 fn step(recorder: &mut Recorder<'_>, k: usize, start: u32, with_lower: bool, with_upper: bool) {
     recorder.lists.clear();
     let row = recorder.pivots[k].row;
@@ -68,7 +68,7 @@ fn step(recorder: &mut Recorder<'_>, k: usize, start: u32, with_lower: bool, wit
     );
 }
 
-/// One more number times the solution at a column, to be subtracted.
+/// Appends an operand: a number times the solution at a column, to be subtracted.
 fn operand(recorder: &mut Recorder<'_>, column: u32, number: Number) {
     let x = recorder.places.solution + column;
     match number {

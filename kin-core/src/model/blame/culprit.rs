@@ -1,13 +1,14 @@
-//! The expression that is to blame, as an error tells it.
+//! The expression that caused a value which is infinite or NaN, for an error message.
 
 use std::fmt;
 
 use crate::model::words::time;
 
-/// Which of an expression's numbers is not finite, its value being looked at first.
+/// The number of an expression that is not finite. Kin checks the value first, then the
+/// derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Part {
-    /// The value itself.
+    /// The value.
     Value,
     /// A first derivative.
     Slope,
@@ -15,43 +16,44 @@ pub enum Part {
     Curvature,
 }
 
-/// Where something stands in the user's program.
+/// A place in the user's program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Source {
-    /// The file as the compiler was given it.
+    /// The path of the file, as the compiler received it.
     pub file: &'static str,
-    /// Line, counted from 1.
+    /// The line, counted from 1.
     pub line: u32,
-    /// Column, counted from 1.
+    /// The column, counted from 1.
     pub column: u32,
 }
 
-/// The expression that is to blame, in the names of the mechanism: what an error tells.
+/// The expression that caused the failure, with the names of the mechanism.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[non_exhaustive]
 pub struct Culprit {
-    /// The expression with its place and its part; `None` where only the constraint is known.
+    /// The expression with its place; `None` if only the constraint is known.
     pub found: Option<Found>,
-    /// The coordinates (`slider.R_x`), parameters (`slot.k`) and the time (`t`) that it is computed
-    /// from; where the expression is not known, all of the constraint's coordinates.
+    /// The coordinates (`slider.R_x`), parameters (`slot.k`) and the time (`t`) from which the
+    /// expression is computed. If the expression is unknown, these are all coordinates of the
+    /// constraint.
     pub inputs: Vec<(String, f64)>,
 }
 
-/// The expression that is to blame.
+/// The expression that caused the failure.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Found {
     /// The expression as the user wrote it.
     pub expression: String,
-    /// Where it stands.
+    /// The place of the expression; `None` if it is unknown.
     pub source: Option<Source>,
-    /// The part of the expression that is not finite.
+    /// The number of the expression that is not finite.
     pub part: Part,
-    /// Its value, which is finite where only a derivative is not.
+    /// The value of the expression. It is finite if only a derivative is not.
     pub value: f64,
-    /// The numbers it is computed from directly.
+    /// The values of the direct operands.
     pub operands: Vec<f64>,
-    /// The kind of the law that is asked there, if it is one: the name of its function.
+    /// The kind of the law that is evaluated there; `None` if the expression is not a law.
     pub law: Option<String>,
 }
 
@@ -61,8 +63,8 @@ impl fmt::Display for Source {
     }
 }
 
-/// The end of a sentence that has said what is not finite: why, where, with which values, and what
-/// to do.
+/// Writes the end of a sentence that has named the failed quantity: the cause, the place, the
+/// values, and what to do.
 impl fmt::Display for Culprit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let values = list(
@@ -106,7 +108,7 @@ impl fmt::Display for Culprit {
     }
 }
 
-/// A number to nine digits.
+/// Writes a number to nine digits.
 fn short(x: f64) -> String {
     if x.is_infinite() {
         return if x > 0.0 { "infinite" } else { "minus infinite" }.to_string();
@@ -114,7 +116,7 @@ fn short(x: f64) -> String {
     time(x).to_string()
 }
 
-/// "a, b and c"; of very many the first ones.
+/// Writes "a, b and c"; of a long list only the first names.
 fn list(mut all: Vec<String>) -> String {
     const SHOWN: usize = 12;
     let more = all.len().saturating_sub(SHOWN);

@@ -1,5 +1,5 @@
-//! A formula once more, with derivatives, and from the row that failed back to the node where it
-//! began.
+//! Evaluates a formula again with derivatives, and searches from the failed row back to the node
+//! where the failure began.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,8 @@ use crate::model::formula::{Given, Outside, Table, jet_of_law};
 use crate::numbers::real::Dual3_64;
 
 impl Table {
-    /// The expression that made a term not finite; `parameters` are the values of the parameters.
+    /// Returns the expression that made a term not finite. `parameters` are the values of the
+    /// parameters.
     pub(crate) fn blame(
         &self,
         asked: &Asked<'_>,
@@ -45,11 +46,11 @@ struct Run<'a> {
 }
 
 impl Run<'_> {
-    /// Back from a result that is not finite to the node all of whose operands are.
+    /// Goes back from a result that is not finite to the node whose operands are all finite.
     fn origin(&self, row: Node, last: Part) -> Option<(Node, Part)> {
         let mut node = row;
         let mut part = self.fault(row, last)?;
-        // Operands come before what is made of them: so going back ends.
+        // Operands come before their results, so the search ends.
         while let Some(next) = self
             .operands(node)
             .into_iter()
@@ -64,7 +65,7 @@ impl Run<'_> {
         self.jets.number(node)?.fault(last)
     }
 
-    /// The nodes whose numbers make that of a node: of a selection that which is taken.
+    /// Returns the operands of a node; for a selection only the operand that is taken.
     fn operands(&self, node: Node) -> Vec<Node> {
         self.formula
             .graph
@@ -94,7 +95,8 @@ impl Run<'_> {
         }
     }
 
-    /// The coordinates, parameters and the time behind a result: coordinates first, the time last.
+    /// Returns the coordinates, parameters and the time on which a result depends: coordinates
+    /// first, the time last.
     fn inputs(&self, node: Node) -> Vec<Input> {
         let mut seen = BTreeSet::new();
         let mut open = vec![node];
@@ -126,7 +128,7 @@ impl Run<'_> {
     }
 }
 
-/// Inputs of an evaluation along one direction.
+/// The inputs of an evaluation along one direction.
 struct Source<'a> {
     q: &'a [f64],
     t: f64,
@@ -157,8 +159,8 @@ impl kin_graph::Source<Jet> for Source<'_> {
         x.chain([f, f1, f2])
     }
 
-    /// The user's own function: its derivatives by each of its arguments, and the second one along
-    /// the direction.
+    /// Evaluates the user's function: its derivatives by each argument, and its second derivative
+    /// along the direction.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Jet>) -> Jet {
         let call =
             |operands: Vec<Dual3_64>| Given::by(self.outside, number, &operands).number(component);
@@ -183,7 +185,7 @@ impl kin_graph::Source<Jet> for Source<'_> {
         Jet::moving(value, [first, second])
     }
 
-    /// Calls stand in formulas as values of the user's program.
+    /// A formula contains calls as values of the user's program.
     fn leaf(&self, _: LeafUse, _: Vec<Jet>) -> Jet {
         Jet::still(f64::NAN)
     }

@@ -1,6 +1,6 @@
-//! Value and derivatives along one direction, where a derivative that vanishes by its structure is
-//! told from one that happens to be zero: √(x² + y²) has no slope at (0, 0), though x² + y² has the
-//! slope 0 there.
+//! Value and derivatives along one direction. A derivative that is structurally zero differs from
+//! one that happens to be zero: √(x² + y²) has no slope at (0, 0), although x² + y² has the slope 0
+//! there.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -9,12 +9,12 @@ use kin_graph::{Function, Function2, Number, compared_by_value};
 use super::Part;
 use crate::numbers::real::{Dual, Dual2_64, Real};
 
-/// g(s), g′(s) and g″(s); `None` where g does not depend on s at all.
+/// g(s), g′(s) and g″(s). A derivative is `None` if g does not depend on s.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Jet {
     pub value: f64,
     pub slopes: Option<[f64; 2]>,
-    /// Its growth, which the number itself has noted.
+    /// The growth that the number has recorded.
     growth: u8,
 }
 
@@ -27,7 +27,7 @@ impl Jet {
         Jet { value, slopes: Some(slopes), growth: 0 }
     }
 
-    /// The first part up to `last` that is not finite.
+    /// Returns the first part up to `last` that is not finite.
     pub(super) fn fault(&self, last: Part) -> Option<Part> {
         let [first, second] = self.slopes.unwrap_or_default();
         let parts = [(Part::Value, self.value), (Part::Slope, first), (Part::Curvature, second)];
@@ -38,20 +38,20 @@ impl Jet {
             .map(|(part, _)| part)
     }
 
-    /// f(self), where f is its value and first two derivatives there.
+    /// Returns f(self), where the array contains f and its first two derivatives at this value.
     pub(super) fn chain(self, [value, f1, f2]: [f64; 3]) -> Jet {
         Jet { value, slopes: self.slopes.map(|[x1, x2]| [f1 * x1, x1 * f2 * x1 + f1 * x2]), ..self }
     }
 
-    /// The value that a function gives of this number with the tangent 1.
+    /// Returns the result of a function for this number with the tangent 1.
     fn through(self, y: Real<Dual2_64>) -> Jet {
         let y = y.0;
         let slopes = if y.is_constant() { None } else { self.chain([y.re, y.v1, y.v2]).slopes };
         Jet { value: y.re, slopes, growth: y.marks() }
     }
 
-    /// f(self, other): Σ f_k x_k′ and Σ f_kl x_k′ x_l′ + f_k x_k″, partial derivatives by those
-    /// that depend on s only.
+    /// Returns f(self, other) with Σ f_k x_k′ and Σ f_kl x_k′ x_l′ + f_k x_k″. Only operands that
+    /// depend on s have partial derivatives.
     fn with(self, other: Jet, f: impl Fn(Real<Dual2_64>, Real<Dual2_64>) -> Real<Dual2_64>) -> Jet {
         let at = |a: f64, b: f64| f(Real(self.along(a)), Real(other.along(b))).0;
         let tangent = |jet: &Jet| if jet.slopes.is_some() { 1.0 } else { 0.0 };
@@ -76,7 +76,7 @@ impl Jet {
         Jet { value: moved.re, slopes, growth: moved.marks() }
     }
 
-    /// The value with a tangent, which is none where it is 0.
+    /// Returns the value with a tangent; a tangent of 0 means a constant.
     fn along(self, tangent: f64) -> Dual2_64 {
         let x = if tangent == 0.0 {
             Dual2_64::from_re(self.value)
@@ -86,7 +86,7 @@ impl Jet {
         x.with_growth_of(self.growth)
     }
 
-    /// Its numbers as a dual number has them.
+    /// Converts to a dual number.
     #[cfg(test)]
     pub(super) fn dual(self) -> Dual2_64 {
         self.slopes.map_or(Dual2_64::from_re(self.value), |[first, second]| {
@@ -129,7 +129,7 @@ impl Number for Jet {
     }
 
     fn call2(self, f: Function2, other: Jet) -> Jet {
-        // The result is the operand that is taken, with its derivatives.
+        // The result is the selected operand with its derivatives.
         let first = match f {
             Function2::Max => self.value >= other.value,
             Function2::Min => self.value <= other.value,

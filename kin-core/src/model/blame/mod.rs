@@ -1,10 +1,10 @@
-//! Culprits where a term of a constraint is infinite or not a number: the sub-expression as the
-//! user wrote it, its place, and the values that went into it. Looked for when a run has failed and
-//! never before, so that kernels pay nothing for it.
+//! Finds out why a term of a constraint is infinite or NaN: the subexpression as the user wrote it,
+//! its place, and the values of its operands. Kin does this only after a failure, so kernels pay
+//! nothing for it.
 //!
-//! On the symbolic route the equation is kept as a formula (`formula.rs`) and evaluated with
-//! second-order jets; on the dual route the user's body runs once more with numbers that know where
-//! they went wrong (`trace.rs`).
+//! On the symbolic route the equation is stored as a formula (`formula.rs`), which second-order
+//! jets evaluate. On the dual route the user's function runs again with numbers that record where
+//! they failed (`trace.rs`).
 
 mod culprit;
 mod interpret;
@@ -13,7 +13,7 @@ pub(crate) mod trace;
 
 pub use culprit::{Culprit, Found, Part, Source};
 
-/// The terms of a constraint that can fail to be finite.
+/// The terms of a constraint that can be infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Term {
     /// C
@@ -26,24 +26,24 @@ pub enum Term {
     RightSide,
 }
 
-/// A question to a constraint: why is a term of one of its rows not finite at an instant?
+/// The input of the search: a term of a row that is not finite at an instant.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked<'a> {
-    /// Time t.   \[s\]
+    /// The time t. \[s\]
     pub t: f64,
-    /// Its local coordinates, one a column.
+    /// The local coordinates, one for each column.
     pub q: &'a [f64],
-    /// Their rates, for [`Term::RightSide`].
+    /// Their velocities, for [`Term::RightSide`].
     pub qd: &'a [f64],
     /// The local row.
     pub row: usize,
     /// The term that is not finite.
     pub term: Term,
-    /// For each local column whether a coordinate stands behind it; false for those of the ground.
+    /// For each local column whether it belongs to a coordinate; false for columns of the ground.
     pub moves: &'a [bool],
 }
 
-/// A value that an expression is computed from.
+/// A value from which an expression is computed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// The coordinate of a local column.
@@ -54,27 +54,26 @@ pub enum Input {
     Time,
 }
 
-/// A constraint's answer: the first expression that is not finite though everything it is made of
-/// is.
+/// The result of the search: the first expression that is not finite although all its operands are.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Blame {
     /// The expression as the user wrote it.
     pub expression: String,
-    /// Where it stands.
+    /// The place of the expression; `None` if it is unknown.
     pub source: Option<Source>,
-    /// The part of the expression that is not finite.
+    /// The number of the expression that is not finite.
     pub part: Part,
-    /// Its value, which is finite where only a derivative is not.
+    /// The value of the expression. It is finite if only a derivative is not.
     pub value: f64,
-    /// The numbers it is computed from directly.
+    /// The values of the direct operands.
     pub operands: Vec<f64>,
-    /// The coordinates and parameters behind these.
+    /// The coordinates and parameters on which the operands depend.
     pub inputs: Vec<Input>,
 }
 
 impl Term {
-    /// The term of that name in errors: `C`, `C_q`, `C_t` or `Q_d`.
+    /// Returns the term with this name in errors: `C`, `C_q`, `C_t` or `Q_d`.
     pub(crate) fn named(name: &str) -> Option<Term> {
         Some(match name {
             "C" => Term::Residual,
@@ -85,7 +84,7 @@ impl Term {
         })
     }
 
-    /// The part of an expression that the term needs, beside those before it.
+    /// Returns the last part of an expression that the term needs.
     fn part(self) -> Part {
         match self {
             Term::Residual => Part::Value,
@@ -95,7 +94,7 @@ impl Term {
     }
 }
 
-/// A direction in which derivatives are taken, by local columns; `None` where nothing moves at all.
+/// A direction of differentiation, by local columns; `None` if nothing moves.
 #[derive(Clone, Debug)]
 pub(crate) struct Direction {
     columns: Vec<Option<f64>>,
@@ -103,8 +102,8 @@ pub(crate) struct Direction {
 }
 
 impl Asked<'_> {
-    /// The directions to look into: that of each coordinate for C_q, that of t for C_t, the motion
-    /// for Q_d; for C any that takes in all.
+    /// Returns the directions to search: each coordinate for C_q, t for C_t, the motion for Q_d.
+    /// For C any direction that includes everything suffices.
     fn directions(&self) -> Vec<Direction> {
         let n = self.moves.len();
         match self.term {

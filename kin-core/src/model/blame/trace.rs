@@ -1,24 +1,24 @@
-//! Blame on the dual route: the user's body with numbers that know where they went wrong.
+//! Finds the failure on the dual route: runs the user's function with numbers that record where
+//! they failed.
 
 use super::{Asked, Blame, Input, Part, Source};
 use crate::model::constraint::Constraint;
 use crate::model::dual_route::Equation;
 use crate::numbers::real::{Fault, Real, TIME, Traced, fault_of};
 
-/// An expression of the user's: as it is written, line and column, both counted from 1.
+/// An expression of the user's program: its text, line and column, both counted from 1.
 pub type Expression = (&'static str, u32, u32);
 
-/// The expressions of a body that runs on dual numbers: the file they stand in, and each as it is
-/// written with line and column.
+/// The expressions of a function that runs on dual numbers, with the file that contains them.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
-    /// The file that the expressions stand in.
+    /// The file that contains the expressions.
     pub file: &'static str,
-    /// The expressions, by their numbers.
+    /// The expressions, by their indices.
     pub expressions: &'static [Expression],
 }
 
-/// The expression that made a term of an equation not finite.
+/// Returns the expression that made a term of an equation not finite.
 pub fn blame<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     asked: &Asked<'_>,

@@ -1,18 +1,18 @@
-//! The two routes to the derivatives of a constraint, and the reason for the one that is taken.
+//! The two routes to the derivatives of a constraint, and the reason for a route.
 
 use std::fmt;
 
 use super::Constraint;
 use crate::model::blame::Source;
 
-/// The way in which the derivatives of a constraint are obtained.
+/// The way to obtain the derivatives of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Route {
-    /// Straight-line code, differentiated at compile time by `#[constraint]`.
+    /// Straight-line code that `#[constraint]` differentiates at compile time.
     Symbolic,
-    /// The constraint's own equation evaluated with dual numbers.
+    /// The user's equation, evaluated with dual numbers.
     Dual,
-    /// Written by hand: an `impl Constraint` without the macro.
+    /// Code written by hand: an `impl Constraint` without the macro.
     Hand,
 }
 
@@ -26,43 +26,42 @@ impl fmt::Display for Route {
     }
 }
 
-/// The reason why a constraint takes its route, [`crate::constraint::Facts::reason`].
+/// The reason why a constraint takes its route ([`crate::constraint::Facts::reason`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum RouteReason {
-    /// [`Route::Symbolic`]: the compiler has read the whole body.
+    /// [`Route::Symbolic`]: the compiler reads the whole body.
     Read,
-    /// [`Route::Symbolic`]: the compiler has read the body but for what stands outside of it: the
-    /// program's own functions, whose values and derivatives come from dual numbers, and its
-    /// constants.
+    /// [`Route::Symbolic`]: the compiler reads the body, except functions and constants defined
+    /// elsewhere in the program. Dual numbers give the values and derivatives of these functions.
     ReadBut {
-        /// Each function and constant with the token where it stands.
+        /// Each function and constant, with its token.
         outside: &'static [(&'static str, Source)],
     },
-    /// [`Route::Dual`]: something in the body cannot be read by the compiler.
+    /// [`Route::Dual`]: the compiler cannot read something in the body.
     Unread {
-        /// The construct that cannot be read, such as `` `while` ``.
+        /// The construct that the compiler cannot read, such as `` `while` ``.
         what: &'static str,
-        /// The token where it begins.
+        /// The token at which the construct begins.
         source: Source,
     },
-    /// [`Route::Dual`]: the program asks for it.
+    /// [`Route::Dual`]: the program selects this route.
     Asked {
-        /// The word `dual` of `#[constraint(dual)]`; `None` where `by_dual` asks, or an
-        /// implementation by hand.
+        /// The word `dual` of `#[constraint(dual)]`; `None` if `by_dual` or a hand-written
+        /// implementation selects the route.
         source: Option<Source>,
     },
     /// [`Route::Hand`]: an `impl Constraint` without the macro.
     Hand,
 }
 
-/// The route of any constraint, in short; the prelude has it.
+/// The route of any constraint. The prelude contains this trait.
 pub trait Routed {
-    /// How its derivatives are obtained.
+    /// Returns the route to the derivatives.
     fn route(&self) -> Route;
 
-    /// Why it takes that route; on the dual one where the token stands that the compiler cannot
-    /// read.
+    /// Returns the reason for the route. On the dual route it names the token that the compiler
+    /// cannot read.
     fn explain_route(&self) -> RouteReason;
 }
 
@@ -77,7 +76,7 @@ impl<C: Constraint + ?Sized> Routed for C {
 }
 
 impl RouteReason {
-    /// The route that it is the reason for.
+    /// Returns the route that this reason explains.
     pub const fn route(self) -> Route {
         match self {
             RouteReason::Read | RouteReason::ReadBut { .. } => Route::Symbolic,

@@ -1,4 +1,4 @@
-//! The equation of a constraint as it was written: its formula as data, its points, and the
+//! The equation of a constraint as the user wrote it: its formula as data, its points, and the
 //! expression that fails.
 
 use super::Constraint;
@@ -11,12 +11,12 @@ use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec3;
 use crate::numbers::real::Dual3_64;
 
-/// A point or direction fixed in a body that a constraint speaks of.
+/// A point or direction fixed in a body, from the equation of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attachment {
-    /// Which of [`Constraint::arguments`] the body is.
+    /// The index of the body in [`Constraint::arguments`].
     pub argument: usize,
-    /// The point or direction, by its components in the body's frame.
+    /// The components of the point or direction in the frame of the body.
     pub what: Attached,
 }
 
@@ -29,56 +29,58 @@ pub enum Attached {
     Direction(Vec3),
 }
 
-/// The equation as it was written. [`Constraint::parts`] shows it; emitted constraints have it.
+/// The equation as the user wrote it. [`Constraint::parts`] returns it; compiled constraints
+/// implement this trait.
 pub trait Written {
-    /// The points and directions of its bodies that its equation speaks of, `b.point(u)` and
-    /// `b.direction(h)` with nothing that moves inside: for drawings and messages. Empty where that
-    /// is not known (default).
+    /// Returns the points and directions of bodies in the equation, for drawings and messages:
+    /// `b.point(u)` and `b.direction(h)` with a constant u or h. The default list is empty: they
+    /// are unknown.
     fn attachments(&self) -> Vec<Attachment> {
         Vec::new()
     }
 
-    /// The reason why a term is not finite: the sub-expression that made it so, as the user wrote
-    /// it. Asked only when a run has failed; `None` where that is not known.
+    /// Returns the subexpression that makes a term infinite or NaN, as the user wrote it. Kin calls
+    /// this only after a failure. Returns `None` if it is unknown.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         let (table, parameters) = self.table()?;
         table.blame(asked, &parameters, &|number, x, to| self.outside(number, x, to))
     }
 
-    /// Shows each law that the equation asks, with its name and where it is asked; on the dual
-    /// route that is not known.
+    /// Passes each law of the equation to `visit`, with its name and its argument. On the dual
+    /// route the laws are unknown.
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         let _ = (at, visit);
     }
 
-    /// Its formula and the values of its parameters. Emitted on the symbolic route; default none.
+    /// Returns the formula and the values of its parameters. Compiled constraints on the symbolic
+    /// route have a formula; the default is `None`.
     #[doc(hidden)]
     fn table(&self) -> Option<(&Table, Vec<f64>)> {
         None
     }
 
-    /// A value that the formula cannot say and only the user's program can compute, by its number;
-    /// default nothing. Emitted with the formula.
+    /// Computes a value that only the user's program knows, by its index in the formula. The
+    /// default does nothing; the macro implements it together with the formula.
     #[doc(hidden)]
     fn outside(&self, number: usize, x: &[Dual3_64], to: &mut Given) {
         let _ = (number, x, to);
     }
 }
 
-/// The equation of any constraint, so far as it is known.
+/// The equation of any constraint, as far as it is known.
 impl dyn Constraint + '_ {
-    /// [`Written::attachments`]
+    /// Calls [`Written::attachments`].
     pub fn attachments(&self) -> Vec<Attachment> {
         self.parts().written.map(|own| own.attachments()).unwrap_or_default()
     }
 
-    /// [`Written::blame`]
+    /// Calls [`Written::blame`].
     pub fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         self.parts().written?.blame(asked)
     }
 
-    /// Hands its formula over, with the values of the parameters and what computes the rest; `None`
-    /// where there is no formula.
+    /// Passes the formula, the values of the parameters and the outside functions to `act`. Returns
+    /// `None` if there is no formula.
     pub(crate) fn formula<T>(
         &self,
         with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T,
@@ -86,7 +88,7 @@ impl dyn Constraint + '_ {
         self.parts().written?.formula(with)
     }
 
-    /// [`Written::laws`]
+    /// Calls [`Written::laws`].
     pub fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         if let Some(own) = self.parts().written {
             own.laws(at, visit);
@@ -95,7 +97,7 @@ impl dyn Constraint + '_ {
 }
 
 impl dyn Written + '_ {
-    /// The formula of [`Written::table`].
+    /// Returns the formula of [`Written::table`].
     pub(super) fn formula<T>(
         &self,
         with: impl FnOnce(&Table, &[f64], Outside<'_>) -> T,
@@ -104,7 +106,8 @@ impl dyn Written + '_ {
         Some(with(table, &parameters, &|number, x, to| self.outside(number, x, to)))
     }
 
-    /// [`Constraint::jerk_rhs`] by the formula. It is compiled once, not once a constraint.
+    /// Computes [`Constraint::jerk_rhs`] from the formula. This code is compiled once for all
+    /// constraints.
     pub(super) fn jerk_rhs(
         &self,
         arguments: &[Argument],

@@ -1,13 +1,12 @@
-//! Traits of the bodies, coordinates and axes that a constructor of a constraint takes. Each takes
-//! what converts into the handle; the traits are here, and not `Into` itself, for what rustc says
-//! where something else is given.
+//! Traits of the bodies, coordinates and axes that a constructor of a constraint accepts. They
+//! replace `Into`, so that rustc prints a helpful message for a wrong argument.
 
 use super::{Coordinate, PlanarBody, SpatialBody};
 use crate::model::dimension::{Bindings, Dimension, IntoNumber};
 use crate::numbers::algebra::{Axis, Components, Vec3};
 
-/// Anything that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, anything
-/// that is `Into<PlanarBody>`.
+/// A value that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, or any
+/// `Into<PlanarBody>`.
 #[diagnostic::on_unimplemented(
     message = "a planar body is wanted here, but this is `{Self}`",
     label = "not a planar body",
@@ -15,7 +14,7 @@ use crate::numbers::algebra::{Axis, Components, Vec3};
     note = "the joints and drivers of spatial bodies are in `spatial`, such as `spatial::revolute`"
 )]
 pub trait IntoPlanarBody {
-    /// The handle.
+    /// Returns the handle of the body.
     fn into_planar_body(self) -> PlanarBody;
 }
 
@@ -26,8 +25,8 @@ impl<T: Into<PlanarBody>> IntoPlanarBody for T {
     }
 }
 
-/// Anything that names a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground,
-/// anything that is `Into<SpatialBody>`.
+/// A value that names a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, or
+/// any `Into<SpatialBody>`.
 #[diagnostic::on_unimplemented(
     message = "a spatial body is wanted here, but this is `{Self}`",
     label = "not a spatial body",
@@ -35,7 +34,7 @@ impl<T: Into<PlanarBody>> IntoPlanarBody for T {
     note = "the joints and drivers of planar bodies stand without `spatial::`, such as `revolute`"
 )]
 pub trait IntoSpatialBody {
-    /// The handle.
+    /// Returns the handle of the body.
     fn into_spatial_body(self) -> SpatialBody;
 }
 
@@ -46,14 +45,14 @@ impl<T: Into<SpatialBody>> IntoSpatialBody for T {
     }
 }
 
-/// Anything that names a bare coordinate: a [`Coordinate`], anything that is `Into<Coordinate>`.
+/// A value that names a scalar coordinate: a [`Coordinate`] or any `Into<Coordinate>`.
 #[diagnostic::on_unimplemented(
     message = "a coordinate is wanted here, but this is `{Self}`",
     label = "not a coordinate",
     note = "a coordinate is what `m.angle(…)` or `m.length(…)` has given, or one of a body's: `body.x()`, `body.y()`, `body.theta()`"
 )]
 pub trait IntoCoordinate {
-    /// The handle.
+    /// Returns the handle of the coordinate.
     fn into_coordinate(self) -> Coordinate;
 }
 
@@ -64,16 +63,15 @@ impl<T: Into<Coordinate>> IntoCoordinate for T {
     }
 }
 
-/// Anything that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], anything that is
-/// `Into<Axis>`; the same made of [`Dimension`]s.
+/// A value that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], any `Into<Axis>`, or the
+/// same types made of [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "an axis is wanted here, but this is `{Self}`",
     label = "not an axis",
     note = "an axis of a spatial body is a vector along it, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector across it"
 )]
 pub trait IntoAxis {
-    /// The axis; the directions that it was given by are noted under its name if they hang on
-    /// dimensions.
+    /// Returns the axis. If its directions depend on dimensions, they are recorded under `name`.
     fn into_axis(self, name: &str, to: &mut Bindings) -> Axis;
 }
 
@@ -91,7 +89,7 @@ impl IntoAxis for Axis<Dimension> {
     }
 }
 
-/// Directions with dimensions in them.
+/// Directions that contain dimensions.
 macro_rules! directions {
     ($($direction:ty)*) => {$(
         #[diagnostic::do_not_recommend]

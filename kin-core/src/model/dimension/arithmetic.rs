@@ -1,4 +1,4 @@
-//! Operators and functions of dimensions: each gives the value and writes the operation down.
+//! Operators and functions of dimensions. Each computes the value and records the operation.
 
 use std::fmt;
 use std::iter::Sum;
@@ -11,7 +11,7 @@ use crate::numbers::algebra::{Mix, Scalar, sealed};
 use crate::numbers::real::{assign, by_ref};
 
 impl Dimension {
-    /// The number `value` that an operation makes of some numbers.
+    /// Records an operation on some numbers, with its `value`.
     fn made<const N: usize>(
         value: f64,
         from: [Dimension; N],
@@ -37,7 +37,7 @@ impl Dimension {
         }
     }
 
-    /// Its node in the graph that its expression is in.
+    /// Returns the node of the number in the graph of its expression.
     fn node(self, graph: &mut Graph) -> Node {
         match self.of {
             Of::Expression(_, node) => node,
@@ -55,12 +55,12 @@ impl Dimension {
         })
     }
 
-    /// xⁿ
+    /// Returns xⁿ.
     pub fn powi(self, n: i32) -> Self {
         Dimension::made(self.value.powi(n), [self], |[a]| Op::Powi(a, n))
     }
 
-    /// (sin x, cos x), x in rad.
+    /// Returns (sin x, cos x), with x in rad.
     pub fn sin_cos(self) -> (Self, Self) {
         (self.sin(), self.cos())
     }
@@ -81,7 +81,7 @@ macro_rules! of_one {
 
 functions_of_one!(of_one);
 
-/// The methods of two numbers, but for the operator `%`.
+/// The methods of two numbers, except the operator `%`.
 macro_rules! of_two {
     ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
         $(of_two!(@ $variant $method $(#[$doc])*);)*
@@ -155,7 +155,7 @@ impl Sum for Dimension {
 }
 
 impl From<f64> for Dimension {
-    /// A constant.
+    /// Makes a constant.
     fn from(value: f64) -> Self {
         Dimension { value, of: Of::Nothing }
     }

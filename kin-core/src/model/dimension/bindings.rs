@@ -1,4 +1,4 @@
-//! The parameters of one constraint that hang on dimensions.
+//! Records the parameters of a constraint that depend on dimensions.
 
 use std::fmt;
 
@@ -6,13 +6,13 @@ use super::{Dimension, IntoNumber, Of};
 use crate::model::law::Law;
 use crate::numbers::algebra::Axis;
 
-/// The name of a number in a constraint: written only where it is asked for.
+/// The name of a number in a constraint. Its text is built only when it is needed.
 pub enum Name<'a> {
     /// A parameter: `k`.
     Own(&'a str),
-    /// A component: `u_i.x`, `motor.rate`.
+    /// A component of a parameter: `u_i.x`, `motor.rate`.
     Field(&'a Name<'a>, &'a str),
-    /// One of several: `c[2]`.
+    /// An element of a list: `c[2]`.
     Index(&'a Name<'a>, usize),
 }
 
@@ -26,17 +26,19 @@ impl fmt::Display for Name<'_> {
     }
 }
 
-/// The numbers of one constraint that are expressions of dimensions, each by the name of its
-/// parameter. None is the rule, and takes nothing from the heap: [`crate::Mechanism::add`] takes
-/// them out.
+/// The numbers of one constraint that are expressions of dimensions, each with the name of its
+/// parameter.
+///
+/// Most constraints have none, and an empty list needs no heap. [`crate::Mechanism::add`] removes
+/// the list from the constraint.
 #[derive(Clone, Default)]
 pub struct Bindings(Vec<(String, Dimension)>);
 
 impl Bindings {
-    /// None.
+    /// The empty list.
     pub const NONE: Bindings = Bindings(Vec::new());
 
-    /// Notes that the parameter of that name is this number, and gives its value.
+    /// Records the number under this parameter name and returns its value.
     pub fn note(&mut self, name: &Name<'_>, number: Dimension) -> f64 {
         if number.of() != Of::Nothing {
             self.0.push((name.to_string(), number));
@@ -44,21 +46,21 @@ impl Bindings {
         number.value()
     }
 
-    /// The value of a parameter of that name, noted if it hangs on dimensions.
+    /// Returns the value of a parameter and records the parameter if it depends on dimensions.
     pub fn number(&mut self, name: &str, number: impl IntoNumber) -> f64 {
         self.note(&Name::Own(name), number.into_number())
     }
 
-    /// The vector of these components, noted as `NAME.x`, `NAME.y` and `NAME.z` if they hang on
-    /// dimensions.
+    /// Returns the vector of these components. Components that depend on dimensions are recorded as
+    /// `NAME.x`, `NAME.y` and `NAME.z`.
     pub(crate) fn vector(&mut self, name: &str, components: [Dimension; 3]) -> [f64; 3] {
         let mut names = ["x", "y", "z"].into_iter();
         components
             .map(|x| self.note(&Name::Field(&Name::Own(name), names.next().unwrap_or_default()), x))
     }
 
-    /// The values of the parameters `name[first]`, `name[first + 1]`, …, noted if they hang on
-    /// dimensions.
+    /// Returns the values of the parameters `name[first]`, `name[first + 1]`, … and records those
+    /// that depend on dimensions.
     pub fn list(
         &mut self,
         name: &str,
@@ -72,9 +74,9 @@ impl Bindings {
             .collect()
     }
 
-    /// The axis that is given by the components of its direction, after which those of a second one
-    /// may follow. They are noted if any of them hangs on dimensions, each as `NAME.h.x`, …,
-    /// `NAME.f.z`.
+    /// Returns the axis with these components of its direction, optionally followed by the
+    /// components of a second direction. If one component depends on dimensions, all are recorded,
+    /// as `NAME.h.x`, …, `NAME.f.z`.
     pub fn axis(&mut self, name: &str, given: &[Dimension]) -> Axis {
         if given.iter().any(|number| number.of() != Of::Nothing) {
             self.0.extend(
@@ -84,14 +86,14 @@ impl Bindings {
         Axis::given(&given.iter().map(|number| number.value()).collect::<Vec<f64>>())
     }
 
-    /// Notes the numbers of a law that hang on dimensions, under their names.
+    /// Records the numbers of a law that depend on dimensions, under their names.
     pub(crate) fn law(&mut self, name: &str, law: &Law) {
         law.each_hung(&mut |own, number| {
             self.note(&Name::Field(&Name::Own(name), own), number);
         });
     }
 
-    /// Those there are, which are then no longer there.
+    /// Removes and returns all recorded numbers.
     pub fn take(&mut self) -> Vec<(String, Dimension)> {
         std::mem::take(&mut self.0)
     }

@@ -1,20 +1,20 @@
-//! How often a dimension is off by how much.
+//! Distributions of a dimension within its tolerance.
 
 use serde::{Deserialize, Serialize};
 
-/// How a dimension that may be off by ± T is distributed around its value.
+/// The distribution of a dimension with tolerance ± T around its nominal value.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 #[non_exhaustive]
 pub enum Distribution {
-    /// Normal with σ = T/3: 0.27 % of all are off by more than T.
+    /// Normal with σ = T/3: 0.27 % of all values deviate by more than T.
     #[default]
     Normal,
-    /// The same without those that are off by more than T: they have been sorted out.
+    /// Normal, but without the values that deviate by more than T: inspection has removed them.
     TruncatedNormal,
     /// Uniform from −T to T.
     Uniform,
-    /// Uniform in the disc of radius T: one of the two dimensions of a joint's clearance
+    /// Uniform in the disc of radius T. It applies to the two dimensions of a clearance
     /// ([`crate::Mechanism::clearance`]).
     Disc,
 }
@@ -23,13 +23,13 @@ pub enum Distribution {
 const AT_THREE: [f64; 2] = [4.431_848_411_938_007_5e-3, 0.997_300_203_936_739_8];
 
 impl Distribution {
-    /// E(x²) and E(x⁴), T being 1.   \[-\]
+    /// Returns E(x²) and E(x⁴) for T = 1. \[-\]
     pub(crate) fn moments(self) -> [f64; 2] {
         let [density, inside] = AT_THREE;
         match self {
             Distribution::Normal => [1.0 / 9.0, 3.0 / 81.0],
-            // By parts from −a to a: E(x²) = 1 − 2 a φ(a)/Z, E(x⁴) = 3 − 2 (a³ + 3 a) φ(a)/Z,
-            // a = 3.
+            // Integration by parts from −a to a gives E(x²) = 1 − 2 a φ(a)/Z and E(x⁴) = 3 − 2 (a³
+            // + 3 a) φ(a)/Z with a = 3.
             Distribution::TruncatedNormal => {
                 [(1.0 - 6.0 * density / inside) / 9.0, (3.0 - 72.0 * density / inside) / 81.0]
             }
@@ -38,8 +38,7 @@ impl Distribution {
         }
     }
 
-    /// The standard deviation of a dimension that may be off by ± `tolerance`.   \[unit of the
-    /// dimension\]
+    /// Returns the standard deviation of a dimension with this tolerance. \[unit of the dimension\]
     pub fn sigma(self, tolerance: f64) -> f64 {
         self.moments()[0].sqrt() * tolerance
     }
@@ -49,7 +48,7 @@ impl Distribution {
 mod tests {
     use super::*;
 
-    /// Moments against sums over a fine grid of the densities.
+    /// Compares the moments with sums over a fine grid of the densities.
     #[test]
     fn moments_are_those_of_the_densities() {
         let sums = |density: &dyn Fn(f64) -> f64, reach: f64| {

@@ -1,10 +1,10 @@
-//! Mistakes in dimensions, by name.
+//! Mistakes in dimensions. Each message names the dimension.
 
-/// A dimension that makes no sense, or is asked for what it cannot be.
+/// A dimension that is invalid, unused or used in the wrong place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DimensionError {
-    /// A dimension on which no number of the mechanism hangs.
+    /// A dimension on which no number of the mechanism depends.
     #[error(
         "nothing hangs on the dimension `{name}`: give it, or an expression of it, to a link, a joint or a law, or leave it out"
     )]
@@ -13,12 +13,12 @@ pub enum DimensionError {
         name: String,
     },
 
-    /// A value, range or tolerance that is not finite or makes no sense.
+    /// A value, range or tolerance that is not finite or contradicts itself.
     #[error("the dimension `{name}`: {reason}")]
     Invalid {
         /// The dimension.
         name: String,
-        /// The fault and its cure.
+        /// The mistake and its cure.
         reason: String,
     },
 
@@ -28,7 +28,7 @@ pub enum DimensionError {
          `dimension` gave out"
     )]
     Foreign {
-        /// The mechanism that was asked.
+        /// The mechanism that received the dimension.
         mechanism: String,
         /// The constraint or the operation.
         place: String,

@@ -1,4 +1,4 @@
-//! Traits of the numbers that constructors take: as they are, or as expressions of dimensions.
+//! Traits of the numbers that constructors accept: plain numbers or expressions of dimensions.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -7,14 +7,14 @@ use crate::model::law::Law;
 use crate::numbers::algebra::{Components, EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 use crate::numbers::real::by_ref;
 
-/// A number of a mechanism: an `f64`, or a [`Dimension`].
+/// A number of a mechanism: an `f64` or a [`Dimension`].
 #[diagnostic::on_unimplemented(
     message = "a number is wanted here, but this is `{Self}`",
     label = "not a number",
     note = "a number is an `f64`, which has a point, as `1.0`, or a `Dimension`: what `m.dimension(…)` has given, or an expression of it"
 )]
 pub trait IntoNumber: Scalar {
-    /// The number; a constant if it is one.
+    /// Returns the number as a dimension; an `f64` becomes a constant.
     fn into_number(self) -> Dimension;
 }
 
@@ -31,15 +31,16 @@ impl IntoNumber for Dimension {
     }
 }
 
-/// Anything that gives a parameter of the type `T` of a constraint or law: a `T`, or the same made
-/// of [`Dimension`]s.
+/// A value for a parameter of type `T` of a constraint or law: a `T`, or the same type made of
+/// [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "a `{T}` is wanted here, but this is `{Self}`",
     label = "not a `{T}`",
     note = "numbers have a point, as `1.0`; where one of several is a `Dimension`, the others are too: `0.0.into()`"
 )]
 pub trait IntoParameter<T> {
-    /// The parameter; what hangs on dimensions is noted under its name.
+    /// Returns the parameter. Numbers that depend on dimensions are recorded under the parameter's
+    /// name.
     fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> T;
 }
 
@@ -95,7 +96,7 @@ macro_rules! constants {
 
 constants!(Mat2 Mat3 EulerParameters);
 
-/// The same made of dimensions.
+/// Parameters with components that are dimensions.
 macro_rules! components {
     ($($ty:ident { $($c:ident),* })*) => {$(
         impl IntoParameter<$ty> for $ty<Dimension> {
@@ -127,15 +128,15 @@ impl<S: IntoNumber> IntoParameter<Mat3> for [[S; 3]; 3] {
     }
 }
 
-/// Anything that gives a vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array, a tuple,
-/// made of numbers or of [`Dimension`]s.
+/// A vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array or a tuple of numbers or
+/// [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "a `{V}` is wanted here, but this is `{Self}`",
     label = "not a `{V}`",
     note = "a vector is `vec2(1.0, 2.0)` in the plane and `vec3(1.0, 2.0, 3.0)` in space"
 )]
 pub trait IntoVector<V> {
-    /// Its components; the third is zero in a plane.
+    /// Returns the components; in a plane the third is zero.
     #[doc(hidden)]
     fn numbers(self) -> [Dimension; 3];
 }
@@ -153,13 +154,13 @@ impl<C: Components<3, Scalar: IntoNumber>> IntoVector<Vec3> for C {
     }
 }
 
-/// The acceleration of gravity: a [`Vec2`] or a [`Vec3`], made of numbers or of [`Dimension`]s.
+/// The acceleration of gravity: a [`Vec2`] or a [`Vec3`] of numbers or [`Dimension`]s.
 #[diagnostic::on_unimplemented(
     message = "the acceleration of gravity is wanted here, but this is `{Self}`",
     label = "`vec2(0.0, -9.81)` in the plane, `vec3(0.0, 0.0, -9.81)` in space"
 )]
 pub trait IntoGravity {
-    /// Its components; the third is zero in a plane.
+    /// Returns the components; in a plane the third is zero.
     #[doc(hidden)]
     fn numbers(self) -> [Dimension; 3];
 }
@@ -176,7 +177,7 @@ impl<S: IntoNumber> IntoGravity for Vec3<S> {
     }
 }
 
-/// A vector from what a constructor takes for one.
+/// Converts an argument of a constructor to a vector.
 pub fn vector<V: From<[f64; N]>, const N: usize>(
     components: impl Components<N, Scalar: IntoNumber>,
     name: &Name<'_>,
@@ -188,7 +189,7 @@ pub fn vector<V: From<[f64; N]>, const N: usize>(
     }))
 }
 
-/// Pairs and triples of constants and dimensions.
+/// Pairs and triples that mix constants and dimensions.
 macro_rules! mixed {
     ($n:literal: $(($($ty:ident),*))*) => {$(
         impl Components<$n> for ($($ty),*) {
@@ -207,7 +208,7 @@ mixed!(2: (Dimension, f64) (f64, Dimension));
 mixed!(3: (Dimension, f64, f64) (f64, Dimension, f64) (f64, f64, Dimension)
     (f64, Dimension, Dimension) (Dimension, f64, Dimension) (Dimension, Dimension, f64));
 
-/// Sums of a constant vector and one with dimensions.
+/// Sums of a constant vector and a vector with dimensions.
 macro_rules! sums {
     ($($ty:ident { $($c:ident),* })*) => {$(
         by_ref!([] Add::add, $ty<Dimension>, $ty<f64> => $ty<Dimension>, |a, b| $ty { $($c: a.$c + b.$c),* });

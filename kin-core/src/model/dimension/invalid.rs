@@ -1,4 +1,4 @@
-//! The error for a dimension that makes no sense, as calls give it.
+//! Builds the error for an invalid dimension.
 
 use super::DimensionError;
 use crate::model::error::Error;

@@ -1,4 +1,4 @@
-//! Named dimensions: numbers with a name that others hang on, and expressions of them.
+//! Named dimensions and expressions of them. Other numbers of a mechanism depend on them.
 
 mod arithmetic;
 mod bindings;
@@ -24,10 +24,11 @@ pub(crate) use snapshot::{Hung, Snapshot};
 pub(crate) use store::{Entry, Shared};
 pub(crate) use text::text_of;
 
-/// A named number that others hang on ([`crate::Mechanism::dimension`]), or an expression of such
-/// numbers: `a / 2.0`, `a + b`, `dx.hypot(dy)`, `angle.sin()`. It is copied freely, and is accepted
-/// wherever a parameter of a constraint, a length of a link, a coefficient of a law, a guess, a
-/// mass or a number of a load is a number.
+/// A named number of a mechanism ([`crate::Mechanism::dimension`]) or an expression of such
+/// numbers: `a / 2.0`, `a + b`, `dx.hypot(dy)`, `angle.sin()`.
+///
+/// A `Dimension` is `Copy`. Use it instead of a number for a parameter of a constraint, a length of
+/// a link, a coefficient of a law, a guess, a mass or a load.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -46,27 +47,28 @@ pub(crate) use text::text_of;
 /// # }
 /// ```
 ///
-/// It compares with other numbers by its value where it was made. Its arithmetic is written down,
-/// not done: [`crate::System::set`] does it again.
+/// Comparisons use the value at the nominal values of the dimensions. Arithmetic is recorded, so
+/// [`crate::System::set`] can repeat it with new values.
 #[derive(Clone, Copy)]
 pub struct Dimension {
     value: f64,
     of: Of,
 }
 
-/// The origin of a number.
+/// Where a number comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Of {
-    /// A constant.
+    /// The number is a constant.
     Nothing,
-    /// An expression of dimensions.
+    /// The number is an expression of dimensions of one mechanism.
     Expression(MechanismId, Node),
-    /// Dimensions of several mechanisms, or of one that is no more: whoever is given it refuses it.
+    /// The number uses dimensions of several mechanisms, or of a mechanism that no longer exists.
+    /// Every call that receives it returns an error.
     Several,
 }
 
 impl Dimension {
-    /// Its value where it was made: that of the dimensions' nominal values.
+    /// Returns the value at the nominal values of the dimensions.
     pub fn value(self) -> f64 {
         self.value
     }
@@ -79,37 +81,40 @@ impl Dimension {
         Dimension { value, of: Of::Expression(mechanism, node) }
     }
 
-    /// The range that [`crate::System::set`] keeps to, both ends included. One that excludes the
-    /// nominal value is told when the mechanism is built.
+    /// Sets the range that [`crate::System::set`] accepts, both ends included.
+    /// [`Mechanism::build`](crate::Mechanism::build) returns an error if the range excludes the
+    /// nominal value.
     pub fn within(self, from: f64, to: f64) -> Self {
         self.describe(|entry| entry.range = Some([from, to]))
     }
 
-    /// How far the shop may be off: the value is within ± `tolerance` of the nominal one. One that
-    /// is negative or not finite is told when the mechanism is built.
+    /// Sets the tolerance: the actual value deviates from the nominal value by at most ±
+    /// `tolerance`. [`Mechanism::build`](crate::Mechanism::build) returns an error if it is
+    /// negative or not finite.
     pub fn tolerance(self, tolerance: f64) -> Self {
         self.describe(|entry| entry.tolerance = Some(tolerance))
     }
 
-    /// How it is distributed where it has a tolerance; normal if nothing is said.
-    /// [`Distribution::Disc`] is that of clearances alone: of another dimension it is told when the
-    /// mechanism is built.
+    /// Sets the distribution within the tolerance; the default is normal. [`Distribution::Disc`] is
+    /// for clearances only. [`Mechanism::build`](crate::Mechanism::build) returns an error if
+    /// another dimension has it.
     pub fn distributed(self, distribution: Distribution) -> Self {
         self.describe(|entry| entry.distribution = Some(distribution))
     }
 
-    /// Its unit, for tables and files: a word, nothing is converted.
+    /// Sets the unit that tables and files show. Kin converts nothing.
     pub fn unit(self, unit: &str) -> Self {
         self.describe(|entry| entry.unit = unit.to_string())
     }
 
-    /// One of the two dimensions of a clearance.
+    /// Marks one of the two dimensions of a clearance.
     pub(crate) fn in_clearance(self, name: &str) -> Self {
         self.distributed(Distribution::Disc)
             .describe(|entry| entry.clearance = Some(name.to_string()))
     }
 
-    /// Writes down what is known of a named dimension; of anything else it is told at build.
+    /// Records a property of a named dimension. On any other number the property becomes an error
+    /// at build.
     fn describe(self, write: impl FnOnce(&mut Entry)) -> Self {
         store::with(self.of, |store, node| {
             match store.entries.iter_mut().find(|entry| entry.node == node) {

@@ -1,4 +1,4 @@
-//! The dimensions of a system: what hangs on them, at which values, and with which slopes.
+//! The dimensions of a system: the numbers that depend on them, their values and their slopes.
 
 use kin_graph::{Graph, Input, LeafUse, Node, Number, Op, Source, evaluate};
 
@@ -6,18 +6,18 @@ use super::{Bound, Entry};
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::numbers::real::{Dual64, Real};
 
-/// The dimensions of a mechanism as it was built, and the numbers that hang on them.
+/// The dimensions of a built mechanism, and the numbers that depend on them.
 pub(crate) struct Snapshot {
     graph: Graph,
-    /// The named numbers, in the order in which they were made.
+    /// The named numbers, in the order of their declaration.
     pub entries: Vec<Entry>,
-    /// The numbers that hang on them.
+    /// The numbers that depend on dimensions.
     pub hung: Vec<Hung>,
-    /// The dimensions behind each of these, by their numbers.
+    /// For each number of [`Snapshot::hung`], the indices of the dimensions on which it depends.
     behind: Vec<Vec<usize>>,
 }
 
-/// A number that hangs on dimensions.
+/// A number that depends on dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Hung {
     pub at: Bound,
@@ -37,46 +37,47 @@ impl Snapshot {
         Snapshot { graph: graph.clone(), entries: entries.to_vec(), hung, behind }
     }
 
-    /// The same where no guess hangs on them.
+    /// Returns a copy without the guesses that depend on dimensions.
     pub(crate) fn without_guesses(&self) -> Snapshot {
         let hung = self.hung.iter().filter(|hung| !hung.at.is_guess());
         Snapshot::new(&self.graph, &self.entries, hung.cloned().collect())
     }
 
-    /// The values that the dimensions were made with.
+    /// Returns the nominal values of the dimensions.
     pub(crate) fn nominal(&self) -> Vec<f64> {
         self.entries.iter().map(|entry| entry.value).collect()
     }
 
-    /// The numbers, by their place among [`Snapshot::hung`], that hang on dimension k.
+    /// Returns the indices in [`Snapshot::hung`] of the numbers that depend on dimension k.
     pub(crate) fn on(&self, k: usize) -> impl Iterator<Item = usize> {
         (0..self.hung.len()).filter(move |number| self.behind[*number].contains(&k))
     }
 
-    /// The numbers, by their place, that an axis or a pose is worked out of together with this one.
+    /// Returns the indices of the numbers from which Kin computes an axis or a pose together with
+    /// this number.
     pub(crate) fn with(&self, number: usize) -> Vec<usize> {
         let Some(Hung { at, .. }) = self.hung.get(number) else { return Vec::new() };
         (0..self.hung.len()).filter(|other| self.hung[*other].at.is_with(at)).collect()
     }
 
-    /// The values of all numbers that hang on dimensions of these values.
+    /// Returns all numbers at these values of the dimensions.
     pub(crate) fn numbers(&self, values: &[f64]) -> Vec<f64> {
         self.walk(&Values(values))
     }
 
-    /// The values of all named numbers, expressions with a name among them.
+    /// Returns the values of all named numbers, including named expressions.
     pub(crate) fn named(&self, values: &[f64]) -> Vec<f64> {
         let nodes: Vec<Node> = self.entries.iter().map(|entry| entry.node).collect();
         let results = evaluate(&self.graph, &nodes, &Values(values));
         nodes.iter().map(|node| results.number(*node).unwrap_or(f64::NAN)).collect()
     }
 
-    /// All numbers as they move with dimension k.
+    /// Returns all numbers with their derivatives by dimension k.
     pub(crate) fn along(&self, values: &[f64], k: usize) -> Vec<Real<Dual64>> {
         self.walk(&Along { values, k })
     }
 
-    /// Bounds of all numbers where dimensions are these, as they move.
+    /// Returns bounds of all numbers for bounded dimensions.
     pub(crate) fn over(&self, values: &[Series]) -> Vec<Series> {
         self.walk(&Over(values))
     }
@@ -89,19 +90,19 @@ impl Snapshot {
     }
 }
 
-/// The dimensions at these values.
+/// The values of the dimensions.
 struct Values<'a>(&'a [f64]);
 
-/// The same as they move with dimension k.
+/// The values of the dimensions, with dimension k as the variable.
 struct Along<'a> {
     values: &'a [f64],
     k: usize,
 }
 
-/// The dimensions over intervals.
+/// The dimensions as bounded series.
 struct Over<'a>(&'a [Series]);
 
-/// An expression of dimensions reads nothing but dimensions.
+/// An expression of dimensions has no inputs except dimensions.
 macro_rules! source {
     ($name:ident, $number:ty, |$self:ident, $k:ident| $input:expr) => {
         impl Source<$number> for $name<'_> {

@@ -1,6 +1,7 @@
-//! The dimensions of one mechanism while it is described. Expressions are written into its graph by
-//! operators that see no mechanism, only handles that can be copied: so that the graph is found by
-//! the mechanism's number, among those of all mechanisms that have dimensions and still exist.
+//! Stores the dimensions of a mechanism while the user describes it. Operators write expressions
+//! into the graph of the mechanism, but they see only handles that are `Copy`. They find the graph
+//! through the number of the mechanism, in a table of all mechanisms that have dimensions and still
+//! exist.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};
@@ -15,27 +16,28 @@ use crate::model::coordinates::MechanismId;
 pub(crate) struct Store {
     pub graph: Graph,
     pub entries: Vec<Entry>,
-    /// An expression that was given a range, a tolerance or a unit, which only a dimension has.
+    /// An expression that received a range, a tolerance or a unit, which only a dimension can have.
+    /// `None` if there is no such mistake.
     pub misplaced: Option<Node>,
 }
 
-/// A dimension as it is described.
+/// A dimension and its properties.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Entry {
     pub name: String,
     pub node: Node,
-    /// True if it is an expression of others, with a name.
+    /// True for a named expression of other dimensions.
     pub is_derived: bool,
     pub value: f64,
     pub unit: String,
     pub range: Option<[f64; 2]>,
     pub tolerance: Option<f64>,
     pub distribution: Option<Distribution>,
-    /// The clearance that it is one of the two dimensions of.
+    /// The clearance of which this is one of two dimensions; `None` for any other dimension.
     pub clearance: Option<String>,
 }
 
-/// A store that can be found by the number of its mechanism as long as somebody holds it.
+/// A store that the number of its mechanism finds as long as somebody holds the store.
 pub(crate) struct Shared {
     mechanism: MechanismId,
     store: Mutex<Store>,
@@ -44,7 +46,7 @@ pub(crate) struct Shared {
 static STORES: Mutex<BTreeMap<u64, Weak<Shared>>> = Mutex::new(BTreeMap::new());
 
 impl Shared {
-    /// An empty one.
+    /// Creates an empty store.
     pub(crate) fn new(mechanism: MechanismId) -> Arc<Shared> {
         let shared = Arc::new(Shared { mechanism, store: Mutex::default() });
         lock(&STORES).insert(mechanism.0, Arc::downgrade(&shared));
@@ -62,8 +64,8 @@ impl Drop for Shared {
     }
 }
 
-/// The result of `act` with the store and the node of an expression; `None` if there is no store
-/// any more.
+/// Calls `act` with the store and the node of an expression. Returns `None` if the store no longer
+/// exists.
 pub(super) fn with<T>(of: Of, act: impl FnOnce(&mut Store, Node) -> T) -> Option<T> {
     let Of::Expression(mechanism, node) = of else { return None };
     let shared = lock(&STORES).get(&mechanism.0).and_then(Weak::upgrade)?;
@@ -71,7 +73,7 @@ pub(super) fn with<T>(of: Of, act: impl FnOnce(&mut Store, Node) -> T) -> Option
     Some(made)
 }
 
-/// The value behind a lock; that another thread has panicked is that thread's matter.
+/// Locks a mutex. A panic in another thread does not invalidate the value.
 pub(crate) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

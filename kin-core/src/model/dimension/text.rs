@@ -4,10 +4,11 @@ use kin_graph::{Function, Function2, Graph, Node, infix};
 
 use super::Entry;
 
-/// No expression is written that is longer.   \[bytes\]
+/// The longest text of an expression. \[bytes\]
 const LONGEST: usize = 20_000;
 
-/// A node as text, dimensions by their names; `None` where that is too long.
+/// Returns the text of a node, with dimensions by their names. Returns `None` if the text is too
+/// long.
 pub(crate) fn text_of(graph: &Graph, entries: &[Entry], node: Node) -> Option<String> {
     let named = |node: Node| {
         entries.iter().find(|entry| entry.node == node).map(|entry| quoted(&entry.name))
@@ -15,8 +16,8 @@ pub(crate) fn text_of(graph: &Graph, entries: &[Entry], node: Node) -> Option<St
     infix(graph, node, named, LONGEST)
 }
 
-/// A name as it stands in an expression: in backticks unless it is a word, and not one of a
-/// function.
+/// Returns a name as an expression contains it: in backticks, unless it is a word that no function
+/// has.
 fn quoted(name: &str) -> String {
     let mut letters = name.chars();
     let word = letters.next().is_some_and(|c| c.is_alphabetic() || c == '_')

@@ -1,4 +1,4 @@
-//! The data that errors of a failing run carry: the motion before it and the diagnosis of the
+//! The data that an error of a run carries: the motion before the failure and the diagnosis of the
 //! mechanism.
 
 use super::Error;
@@ -8,8 +8,8 @@ use crate::model::verdict::Diagnosis;
 /// `Result` with Kin's [`Error`].
 pub type Result<T> = std::result::Result<T, Error>;
 
-/// The motion that an error carries, shared or mutable as the error is; `None` where it carries
-/// none.
+/// Selects the motion that an error carries, shared or mutable like the error; `None` if it carries
+/// no motion.
 macro_rules! carried {
     ($error:expr) => {
         match $error {
@@ -28,13 +28,13 @@ macro_rules! carried {
 }
 
 impl Error {
-    /// The part of the motion that a failing run had computed; `None` for errors of other
+    /// Returns the motion that a failing run had computed, or `None` for the errors of other
     /// operations.
     pub fn motion(&self) -> Option<&Motion> {
         carried!(self)?.as_deref()
     }
 
-    /// The diagnosis of the mechanism, by name, where the error is of that kind.
+    /// Returns the diagnosis of the mechanism, if the error carries one.
     pub fn diagnosis(&self) -> Option<&Diagnosis> {
         match self {
             Error::CannotBeDriven { diagnosis, .. } => Some(diagnosis),
@@ -45,7 +45,7 @@ impl Error {
         }
     }
 
-    /// The same error, carrying what was computed before.
+    /// Adds the computed motion to the error.
     pub(crate) fn with_motion(mut self, computed: Motion) -> Error {
         if let Some(place) = carried!(&mut self).filter(|_| !computed.is_empty()) {
             *place = Some(Box::new(computed));
@@ -53,7 +53,7 @@ impl Error {
         self
     }
 
-    /// The motion computed before the failure, to be added to.
+    /// Returns the motion before the failure, mutable.
     pub(crate) fn motion_mut(&mut self) -> Option<&mut Motion> {
         carried!(self)?.as_deref_mut()
     }

@@ -1,5 +1,4 @@
-//! Errors, in the words of the field: where (time, constraint by name), the fault, and the cure to
-//! try.
+//! Errors. Each message names the time and the constraint, says what is wrong, and says what to do.
 
 use std::path::PathBuf;
 
@@ -12,17 +11,17 @@ mod text;
 pub use carried::Result;
 pub use other_motion::OtherMotion;
 
-/// Everything that can go wrong. `Debug` prints what `Display` does: errors of `main` read well.
+/// An error of Kin. `Debug` prints the same text as `Display`, so an error that `main` returns is
+/// readable.
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// A mechanism that cannot be driven, whatever its pose: equations are missing or
-    /// contradictory.
+    /// Nothing can drive the mechanism in any pose: equations are missing or contradict each other.
     #[error("{diagnosis}{}", text::computed_before(.motion))]
     CannotBeDriven {
-        /// The diagnosis, by name.
+        /// The diagnosis, with names.
         diagnosis: Box<Diagnosis>,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
     /// Newton's method did not reach C(q, t) = 0.
@@ -35,20 +34,22 @@ pub enum Error {
         units: Units,
         /// Newton steps taken.
         iterations: usize,
-        /// The constraint that is furthest from being met.
+        /// The constraint with the largest residual.
         constraint: String,
-        /// Its row; empty for a constraint of one row.
+        /// The row of that constraint; empty for a constraint of one row.
         row: String,
         /// |C| of that row, in the row's unit.
         residual: f64,
         /// The last time at which the position was found.   \[s\]
         last: Option<f64>,
-        /// The diagnosis at this time, by name, and how near the parts can come.
+        /// The diagnosis at this time, with names and the smallest distance that the parts can
+        /// reach.
         diagnosis: Option<Box<Diagnosis>>,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
+    /// C_q is singular at a position: a toggle, a change point, or a mechanism with wrong
+    /// constraints.
     #[error("{}{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
         [.movable, .dependent], .unmet)), text::drawn(*.drawn), text::computed_before(.motion))]
     SingularAt {
@@ -58,25 +59,26 @@ pub enum Error {
         units: Units,
         /// Number of coordinates.
         n: usize,
-        /// Numerical rank of C_q in units of order 1; n where it is singular but for rounding.
+        /// Numerical rank of C_q in units of order 1. It is n if C_q is singular only within
+        /// rounding.
         rank: usize,
-        /// The smallest pivot of the elimination relative to its row.
+        /// The smallest pivot of the elimination, relative to its row.
         pivot: f64,
-        /// Bodies and coordinates that can move although everything that drives stands still.
+        /// Bodies and coordinates that can move while all drivers are at rest.
         movable: Vec<String>,
         /// Equations that depend on one another.
         dependent: Box<[String]>,
-        /// An equation that is far from being met where the search ended; `None` at a position.
+        /// An equation with a large residual at the end of the search; `None` at a position.
         unmet: Option<Box<str>>,
-        /// True if this is the pose that was given as the guess, which meets every equation.
+        /// True if this pose is the guess, and the guess satisfies every equation.
         drawn: bool,
-        /// The diagnosis at this time, by name.
+        /// The diagnosis at this time, with names.
         diagnosis: Option<Box<Diagnosis>>,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate
-    /// there.
+    /// The mechanism reaches a toggle and cannot be driven beyond it. At the toggle some velocity
+    /// is infinite.
     #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
         text::toggle(.movable, .dependent, .diagnosis), text::computed_before(.motion))]
     Toggle {
@@ -84,31 +86,33 @@ pub enum Error {
         t: f64,
         /// Names of the units of length and time.
         units: Units,
-        /// The time that was asked for.   \[s\]
+        /// The requested time. \[s\]
         asked: f64,
-        /// Bodies and coordinates that can move at t* although everything that drives stands still.
+        /// Bodies and coordinates that can move at t* while all drivers are at rest.
         movable: Vec<String>,
         /// Equations that depend on one another at t*.
         dependent: Vec<String>,
-        /// The diagnosis at the time that was asked for, by name, and how near the parts can come.
+        /// The diagnosis at the requested time, with names and the smallest distance that the parts
+        /// can reach.
         diagnosis: Option<Box<Diagnosis>>,
-        /// The motion computed before; its last [`Motion::singular_positions`] is the toggle.
+        /// The motion computed before the failure. Its last [`Motion::singular_positions`] is the
+        /// toggle.
         motion: Option<Box<Motion>>,
     },
-    /// A step that may have left its branch, and cannot be made any shorter.
+    /// A step may have left its branch, and Kin cannot make the step shorter.
     #[error("{}", text::cannot_follow(&words::at(*.t, .units), reason, .motion))]
     CannotFollow {
         /// The last time at which the branch is known.   \[s\]
         t: f64,
         /// Names of the units of length and time.
         units: Units,
-        /// The objection.
+        /// The reason.
         reason: &'static str,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// A position that closes, but not as it is meant: the equations hold for an axis turned by
-    /// 180° too.
+    /// A position satisfies the equations but is on the wrong branch: an axis, for example, has
+    /// turned by 180°.
     #[error("{}", text::wrong_branch(&words::at(*.t, .units), [constraint, kind, reason], .motion))]
     WrongBranch {
         /// Time.   \[s\]
@@ -119,30 +123,30 @@ pub enum Error {
         constraint: String,
         /// Its kind.
         kind: String,
-        /// The condition that does not hold.
+        /// The condition that is not satisfied.
         reason: String,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// A law that jumps where it drives the motion.
+    /// A discontinuous law drives the motion.
     #[error("{}", text::law_jumps(&words::at(*.t, .units), [constraint, law], (*.at, *.order), .motion))]
     LawJumps {
-        /// The first time beyond the jump.   \[s\]
+        /// The first time after the jump. \[s\]
         t: f64,
         /// Names of the units of length and time.
         units: Units,
         /// The constraint.
         constraint: String,
-        /// The law, by its name in the constraint.
+        /// The name of the law in the constraint.
         law: String,
-        /// Where in the law.
+        /// The argument of the law at the jump.
         at: f64,
-        /// 0: the value jumps; 1: the slope.
+        /// The derivative that jumps: 0 the value, 1 the slope.
         order: usize,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// A constraint gave a value or derivative that is infinite or not a number.
+    /// A constraint returned a value or derivative that is infinite or NaN.
     #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", words::at(*.t, .units), words::row(.row), text::computed_before(.motion))]
     NotFinite {
         /// Time.   \[s\]
@@ -151,18 +155,17 @@ pub enum Error {
         units: Units,
         /// The constraint.
         constraint: String,
-        /// Its row; empty for a constraint of one row.
+        /// The name of the row; empty for a constraint of one row.
         row: String,
-        /// `C`, `C_q`, `C_t`, `Q_d`, or `q'`, `q''` where only the solution overflows.
+        /// The quantity: `C`, `C_q`, `C_t` or `Q_d`; `q'` or `q''` if only the solution overflows.
         quantity: &'static str,
-        /// The sub-expression that made it so, as the user wrote it, and the values that went into
-        /// it.
+        /// The subexpression that caused it, as the user wrote it, and the values of its operands.
         culprit: Box<Culprit>,
-        /// The motion computed before.
+        /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
 
-    /// A parameter of a constraint is infinite or not a number.
+    /// A parameter of a constraint is infinite or NaN.
     #[error("`{constraint}`: the parameter `{parameter}` is {value}; give a finite number")]
     ParameterNotFinite {
         /// The constraint.
@@ -173,18 +176,18 @@ pub enum Error {
         value: f64,
     },
 
-    /// Parameters that make no sense: a length below zero, an axis without direction.
+    /// Parameters contradict the constraint: a negative length, an axis without direction.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidParameters {
         /// The constraint.
         constraint: String,
         /// Its kind.
         kind: String,
-        /// The condition that does not hold.
+        /// The condition that is not satisfied.
         reason: String,
     },
 
-    /// An initial or other value given for a coordinate is infinite or not a number.
+    /// A value for a coordinate, such as a guess, is infinite or NaN.
     #[error("`{name}`: the value given for {coordinate} is {value}; give a finite number")]
     InitialNotFinite {
         /// The body or bare coordinate.
@@ -195,7 +198,7 @@ pub enum Error {
         value: f64,
     },
 
-    /// A link must have a length above zero.
+    /// The length of a link is not positive.
     #[error("the link `{link}` has the length {length}; give one above zero")]
     InvalidLength {
         /// The link.
@@ -204,18 +207,18 @@ pub enum Error {
         length: f64,
     },
 
-    /// A body or coordinate of another mechanism.
+    /// A body or coordinate belongs to another mechanism.
     #[error("{}", text::foreign([place, argument, mechanism]))]
     ForeignBody {
-        /// The mechanism that was asked.
+        /// The mechanism that received the body or coordinate.
         mechanism: String,
-        /// The constraint, or the operation.
+        /// The constraint or the operation.
         place: String,
         /// Name of the argument.
         argument: String,
     },
 
-    /// The same body or coordinate twice in one constraint.
+    /// The same body or coordinate is in a constraint twice.
     #[error("{}", text::repeated([constraint, first, second, name]))]
     RepeatedBody {
         /// The constraint.
@@ -228,38 +231,38 @@ pub enum Error {
         name: String,
     },
 
-    /// An equation left without coordinates, because all its bodies are the ground.
+    /// An equation contains no coordinates, because all its bodies are the ground.
     #[error("`{constraint}`{} has no coordinate left: {reason}", words::row(.row))]
     NoCoordinates {
         /// The constraint.
         constraint: String,
-        /// Its row; empty for a constraint of one row.
+        /// The name of the row; empty for a constraint of one row.
         row: String,
-        /// Why: which arguments are the ground.
+        /// The arguments that are the ground.
         reason: String,
     },
 
-    /// A motion that interval bounds cannot say anything about.
+    /// Interval bounds cannot prove anything about a motion.
     #[error("{what} cannot be proved: {reason}")]
     CannotBeProved {
-        /// The motion of which mechanism, or with which constraint.
+        /// The mechanism of the motion, or the constraint.
         what: String,
-        /// Why.
+        /// The reason.
         reason: String,
     },
 
-    /// A hand-written constraint that contradicts itself, or does not know what is asked of it.
+    /// A hand-written constraint contradicts itself, or does not implement what Kin needs.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidConstraint {
         /// The constraint.
         constraint: String,
         /// Its kind.
         kind: String,
-        /// The fault.
+        /// The mistake.
         reason: String,
     },
 
-    /// A name given twice.
+    /// Two things have the same name.
     #[error("there are two {what} named `{name}`; choose another name for one")]
     DuplicateName {
         /// "bodies or coordinates", "constraints", "outputs".
@@ -267,53 +270,53 @@ pub enum Error {
         /// The name.
         name: String,
     },
-    /// A name that is empty.
+    /// A name is empty.
     #[error("a {what} needs a name")]
     EmptyName {
         /// The kind of thing that has no name, such as "body".
         what: &'static str,
     },
-    /// A name that nothing has.
+    /// No thing has this name.
     #[error("there is no {what} `{name}`{}", text::known(.known))]
     UnknownName {
-        /// The kind of thing that was looked for.
+        /// The kind of thing that Kin looked for.
         what: &'static str,
         /// The name given.
         name: String,
-        /// The names there are.
+        /// The names that exist.
         known: Vec<String>,
     },
-    /// Times that no sweep can follow.
+    /// The times of a run are not valid.
     #[error("times: {reason}")]
     InvalidTimes {
-        /// The fault.
+        /// The mistake.
         reason: String,
     },
 
-    /// A solver option out of its range.
+    /// A solver option is out of its range.
     #[error("options: {reason}")]
     InvalidOptions {
-        /// The fault.
+        /// The mistake.
         reason: String,
     },
 
-    /// Motions that take more memory than [`crate::SolverOptions::memory`] allows; nothing has been
-    /// computed.
+    /// Motions need more memory than [`crate::SolverOptions::memory`] allows. Kin has computed
+    /// nothing.
     #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
     NeedsMemory {
-        /// How many motions there are at once: one for each thread of a sweep.
+        /// The number of motions that exist at the same time: one for each thread of a sweep.
         motions: usize,
-        /// Times of each.
+        /// The number of times of each motion.
         times: usize,
-        /// Coordinates at each time.
+        /// The number of coordinates at each time.
         coordinates: usize,
         /// The memory that the motions take.   \[B\]
         needed: f64,
-        /// The memory that is allowed.   \[B\]
+        /// The allowed memory. \[B\]
         allowed: usize,
     },
 
-    /// A case of a sweep with a number that is infinite or not a number.
+    /// A case of a sweep contains a number that is infinite or NaN.
     #[error("case {case}: `{name}` is {value}; give a finite number")]
     CaseNotFinite {
         /// The case, counted from 0.
@@ -324,28 +327,28 @@ pub enum Error {
         value: f64,
     },
 
-    /// A sweep or run that was told to stop ([`crate::solver::Sweep::stop_when`],
+    /// A condition stopped a sweep or a run ([`crate::solver::Sweep::stop_when`],
     /// [`crate::Solver::stop_when`]).
     #[error("{}{}", text::stopped([*.done, *.all], .motion), text::computed_before(.motion))]
     Stopped {
-        /// Cases or times that were done.
+        /// The number of computed cases or times.
         done: usize,
-        /// Cases or times there are.
+        /// The number of all cases or times.
         all: usize,
-        /// The motion that a run had computed before; `None` of a sweep.
+        /// The motion that a run had computed; `None` for a sweep.
         motion: Option<Box<Motion>>,
     },
-    /// A list of the wrong length.
+    /// A list has the wrong length.
     #[error("{what}: {found} values given, {expected} needed")]
     WrongLength {
         /// The list.
         what: String,
-        /// The length needed.
+        /// The required length.
         expected: usize,
-        /// The length given.
+        /// The given length.
         found: usize,
     },
-    /// An output with a value that is infinite or not a number.
+    /// An output has a value that is infinite or NaN.
     #[error("the output `{output}` is {value} at t = {}; give finite numbers", words::at(*.t, .units))]
     OutputNotFinite {
         /// The output.
@@ -358,51 +361,51 @@ pub enum Error {
         value: f64,
     },
 
-    /// Routes to a derivative that do not agree ([`crate::ask::check::compare`]).
+    /// Two ways to compute a derivative disagree ([`crate::ask::check::compare`]).
     #[error(transparent)]
     Mismatch(#[from] Box<crate::model::mismatch::Mismatch>),
-    /// A derivative by a parameter that does not exist, or is not known
+    /// A derivative by a parameter that does not exist, or whose derivative is unknown
     /// ([`crate::System::sensitivities`]).
     #[error(transparent)]
     NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
-    /// A force that redundant constraints share ([`crate::forces::Forces`]).
+    /// Redundant constraints share a force ([`crate::forces::Forces`]).
     #[error(transparent)]
     NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
-    /// A motion of another system, or of this one before something was set.
+    /// The motion belongs to another system, or to this system before a change.
     #[error(transparent)]
     OtherMotion(#[from] Box<other_motion::OtherMotion>),
-    /// A mechanism that friction holds fast ([`crate::Mechanism::friction`]).
+    /// Friction jams the mechanism ([`crate::Mechanism::friction`]).
     #[error(transparent)]
     Jammed(#[from] Box<crate::model::jammed::Jammed>),
-    /// Forces at a singular position, where they have no bound ([`crate::forces::Forces`]).
+    /// Forces have no bound at a singular position ([`crate::forces::Forces`]).
     #[error(transparent)]
     Unbounded(#[from] Box<crate::model::growth::Unbounded>),
-    /// A dimension that makes no sense ([`crate::Mechanism::dimension`]).
+    /// A dimension is invalid ([`crate::Mechanism::dimension`]).
     #[error(transparent)]
     Dimension(#[from] Box<crate::model::dimension::DimensionError>),
-    /// Something that cannot be written as data, or data that do not say what they should.
+    /// Kin cannot write something as data, or data contain a mistake.
     #[error("{place}: {reason}")]
     Data {
-        /// The place of the fault: a file, a mechanism, a constraint by name.
+        /// The place of the mistake: a file, a mechanism, a constraint by name.
         place: String,
-        /// The fault.
+        /// The mistake.
         reason: String,
     },
 
-    /// A file with a table that cannot be read, or is no table of a law.
+    /// Kin cannot read a file with a table, or its content is not a table of a law.
     #[error("{}: {reason}", .path.display())]
     Table {
         /// The file.
         path: PathBuf,
-        /// The fault.
+        /// The mistake.
         reason: String,
     },
-    /// A file that cannot be written.
+    /// Kin cannot write a file.
     #[error("cannot write {}: {source}", .path.display())]
     File {
         /// The file.
         path: PathBuf,
-        /// The system's reason.
+        /// The reason that the operating system reports.
         source: std::io::Error,
     },
 }

@@ -1,10 +1,10 @@
-//! A motion that is asked of a system which is not, or no longer, the one that it is a motion of.
+//! The error for a motion that does not belong to the system, or no longer does.
 
 use crate::model::units::Units;
 use crate::model::words;
 
-/// A motion of another system, or of one that has been changed since: at one of its times an
-/// equation does not hold.
+/// A motion belongs to another system, or the system has changed since. At one time of the motion
+/// an equation is not satisfied.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the motion is not one of \"{system}\" as it is now: at t = {} `{equation}` is {} off. Run it again after what was \
@@ -14,11 +14,11 @@ use crate::model::words;
 )]
 #[non_exhaustive]
 pub struct OtherMotion {
-    /// The system that was asked.
+    /// The system that received the motion.
     pub system: String,
-    /// The equation that does not hold.
+    /// The equation that is not satisfied.
     pub equation: String,
-    /// By how much it is off, in the unit of its row.
+    /// The residual of the equation, in the unit of its row.
     pub off: f64,
     /// Time.   \[s\]
     pub t: f64,

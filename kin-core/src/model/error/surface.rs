@@ -1,10 +1,10 @@
-//! Where messages are read: advice names a call of Rust, a keyword of Python or a flag of the
-//! command.
+//! Adapts messages to their readers: advice names a call of Rust, a keyword of Python or a flag of
+//! the command.
 
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// Where messages are read. A program keeps [`Surface::Rust`]; the wheel and the command choose
-/// theirs once, when they start ([`Surface::choose`]).
+/// The interface whose names messages use. A Rust program keeps [`Surface::Rust`]; the wheel and
+/// the command call [`Surface::choose`] once when they start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Surface {
@@ -20,12 +20,12 @@ pub enum Surface {
 static CHOSEN: AtomicU8 = AtomicU8::new(Surface::Rust as u8);
 
 impl Surface {
-    /// Makes all messages of this process speak to these readers.
+    /// Selects this interface for all messages of the process.
     pub fn choose(self) {
         CHOSEN.store(self as u8, Ordering::Relaxed);
     }
 
-    /// The readers of this process.
+    /// Returns the interface of this process.
     pub fn chosen() -> Surface {
         match CHOSEN.load(Ordering::Relaxed) {
             1 => Surface::Python,
@@ -87,7 +87,7 @@ impl Surface {
         }
     }
 
-    /// Where the motion before a failure is.
+    /// Says where the motion before a failure is.
     pub(crate) fn motion_before(self, until: &str) -> String {
         match self {
             Surface::Rust => {
@@ -100,7 +100,7 @@ impl Surface {
         }
     }
 
-    /// The words before the limit of a run's memory, and those after the cure.
+    /// Returns the words before the limit of a run's memory, and those after the cure.
     pub(crate) fn memory(self) -> (&'static str, &'static str) {
         match self {
             Surface::Rust => ("`SolverOptions::memory` allows", ", or allow more"),
@@ -109,7 +109,7 @@ impl Surface {
         }
     }
 
-    /// The cure of a single run that takes too much memory.
+    /// Says how a single run can use less memory.
     pub(crate) fn fewer_times(self) -> &'static str {
         match self {
             Surface::Rust => {
@@ -119,8 +119,8 @@ impl Surface {
         }
     }
 
-    /// The way to go on without proof that the run stays on its branch, after the reasons; the
-    /// command has none.
+    /// Says how to continue without proof that the run stays on its branch. The command has no such
+    /// way.
     pub(crate) fn unchecked(self) -> &'static str {
         match self {
             Surface::Rust => "; `Follow::Unchecked` goes on without asking",
@@ -129,7 +129,7 @@ impl Surface {
         }
     }
 
-    /// The reason why a run ends that would need more smaller steps than it may take.
+    /// Says that a run ends because it needs more small steps than it may take.
     pub(crate) fn too_many_steps(self) -> &'static str {
         match self {
             Surface::Rust => {
@@ -144,7 +144,7 @@ impl Surface {
         }
     }
 
-    /// How the engine is left to Kin.
+    /// Says how to let Kin choose the engine.
     pub(crate) fn any_engine(self) -> &'static str {
         match self {
             Surface::Rust => "leave `SolverOptions::engine` at `Engine::Auto`",
@@ -153,7 +153,7 @@ impl Surface {
         }
     }
 
-    /// The same of forces.
+    /// Says how to let Kin choose the engine of forces.
     pub(crate) fn any_engine_of_forces(self) -> &'static str {
         match self {
             Surface::Rust => "ask for its forces by `Engine::Auto`",
@@ -162,7 +162,7 @@ impl Surface {
         }
     }
 
-    /// How a user writes a law of which bounds are known, before another cure.
+    /// Says how to write a law with known bounds. The text precedes another cure.
     pub(crate) fn readable_law(self) -> &'static str {
         match self {
             Surface::Rust => {
@@ -173,7 +173,7 @@ impl Surface {
         }
     }
 
-    /// How a user writes a force of which Kin knows the formula.
+    /// Says how to write a force whose formula Kin knows.
     pub(crate) fn readable_force(self) -> &'static str {
         match self {
             Surface::Rust => "a function with `#[force]`",
@@ -182,7 +182,7 @@ impl Surface {
         }
     }
 
-    /// The cures of a constraint whose part of the jerk is not known.
+    /// Says how to cure a constraint whose part of the jerk is unknown.
     pub(crate) fn no_jerk(self) -> &'static str {
         match self {
             Surface::Rust => {
@@ -193,7 +193,7 @@ impl Surface {
         }
     }
 
-    /// Times of a run, as an example.
+    /// Shows times of a run as an example.
     pub(crate) fn many_times(self) -> &'static str {
         match self {
             Surface::Rust => "`linspace(0.0, 1.0, 101)`",

@@ -1,4 +1,4 @@
-//! The sentences of error messages that depend on what is known.
+//! Builds the sentences of error messages that depend on what Kin knows.
 
 use crate::model::error::Error;
 use crate::model::error::surface::Surface;
@@ -7,7 +7,7 @@ use crate::model::units::Units;
 use crate::model::verdict::Diagnosis;
 use crate::model::words::{at, bytes, count, list, row, time};
 
-/// Where the last position was found, and what to try.
+/// Says where the last position was, and what to try.
 pub(super) fn no_convergence(
     last: Option<f64>,
     units: &Units,
@@ -34,8 +34,8 @@ pub(super) fn no_convergence(
     }
 }
 
-/// Message of a position that does not exist, where the diagnosis has found why; else that of the
-/// solver.
+/// Returns the message for a position that does not exist: the reason from the diagnosis if it
+/// found one, otherwise the message of the solver.
 pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
     let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
     found.map_or_else(solver, |diagnosis| {
@@ -43,19 +43,19 @@ pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> Str
     })
 }
 
-/// The faults, one a line; empty where nothing is wrong, or no diagnosis was made.
+/// Lists the faults, one per line. The text is empty if nothing is wrong or no diagnosis exists.
 fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
     diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
 }
 
-/// The whole diagnosis where it has found what is wrong, else what the solver has to say.
+/// Returns the complete diagnosis if it found a fault, otherwise the message of the solver.
 pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
     let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.can_be_driven());
     found.map_or_else(solver, |diagnosis| diagnosis.to_string())
 }
 
-/// Message of a singular C_q: the coordinates that can move, and the equations that depend on one
-/// another.
+/// Returns the message for a singular C_q: the coordinates that can move, and the equations that
+/// depend on one another.
 pub(super) fn singular(
     at: &str,
     [rank, n]: [usize; 2],
@@ -85,7 +85,7 @@ pub(super) fn singular(
     text
 }
 
-/// Why a guess that is an assembly, but a singular one, is not left for another assembly.
+/// Says why Kin does not replace a guess that is a singular assembly by another assembly.
 pub(super) fn drawn(drawn: bool) -> &'static str {
     if drawn {
         "\n  The drawn position is singular: it meets every equation, so Kin does not leave it for another \
@@ -95,8 +95,8 @@ pub(super) fn drawn(drawn: bool) -> &'static str {
     }
 }
 
-/// The message of a position beyond a toggle: why it cannot be reached, and what can move at the
-/// toggle.
+/// Returns the message for a position beyond a toggle: why the mechanism cannot reach it, and what
+/// can move at the toggle.
 pub(super) fn toggle(
     movable: &[String],
     dependent: &[String],
@@ -110,7 +110,7 @@ pub(super) fn toggle(
     format!("{}\n  {all}", details(diagnosis))
 }
 
-/// Message of a run that may have left its branch.
+/// Returns the message for a run that may have left its branch.
 pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>) -> String {
     format!(
         "t = {at}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or \
@@ -120,7 +120,7 @@ pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>
     )
 }
 
-/// Message of a position that closes, but not as it is meant.
+/// Returns the message for a position on the wrong branch.
 pub(super) fn wrong_branch(
     at: &str,
     [constraint, kind, reason]: [&str; 3],
@@ -133,7 +133,7 @@ pub(super) fn wrong_branch(
     )
 }
 
-/// Message of a law that jumps, at an argument, in a derivative of that order.
+/// Returns the message for a law that jumps at an argument in a derivative of the given order.
 pub(super) fn law_jumps(
     at: &str,
     [constraint, law]: [&str; 2],
@@ -149,14 +149,14 @@ pub(super) fn law_jumps(
     )
 }
 
-/// Says that the motion before the failure is not lost.
+/// Says that the motion before the failure is available.
 pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
     motion.as_deref().map(motion_before).unwrap_or_default()
 }
 
 impl Error {
-    /// The message without its last line, which says where the motion before the failure is: for a
-    /// page that shows that motion.
+    /// Returns the message without its last line, which says where the motion before the failure
+    /// is. A page that shows this motion uses it.
     pub fn reason(&self) -> String {
         let text = self.to_string();
         let line = self.motion().map(motion_before).unwrap_or_default();
@@ -164,25 +164,26 @@ impl Error {
     }
 }
 
-/// The line about the motion before the failure; empty where it has no times.
+/// Returns the line about the motion before the failure, or an empty text if the motion has no
+/// times.
 pub(super) fn motion_before(motion: &Motion) -> String {
     let Some(last) = motion.times().last() else { return String::new() };
     let until = at(*last, motion.unit_words());
     format!("\n  {}", Surface::chosen().motion_before(&until))
 }
 
-/// A sweep, or a run, which carries a motion.
+/// Returns the message for a sweep or a run that was stopped. A run carries its motion.
 pub(super) fn stopped([done, all]: [usize; 2], motion: &Option<Box<Motion>>) -> String {
     let (what, parts) = if motion.is_some() { ("run", "times") } else { ("sweep", "cases") };
     format!("the {what} was stopped after {done} of {all} {parts}")
 }
 
-/// The names there are, nearest guess first.
+/// Lists the known names, the most similar name first.
 pub(super) fn known(known: &[String]) -> String {
     if known.is_empty() { String::new() } else { format!("; there are {}", list(known)) }
 }
 
-/// How far Newton's method has come.
+/// Says how far Newton's method came.
 pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
     format!(
         "no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.",
@@ -191,7 +192,7 @@ pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64
     )
 }
 
-/// The message of motions that need more memory than they may have, and how to need less.
+/// Returns the message for motions that need too much memory, with the ways to need less.
 pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f64; 2]) -> String {
     let surface = Surface::chosen();
     let (all, cure) = if motions > 1 {
@@ -209,14 +210,14 @@ pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f6
     format!("{all}{times} of {coordinates} need {needed}; {limit} {allowed}.\n  {cure}{more}.")
 }
 
-/// A handle of another mechanism.
+/// Returns the message for a handle of another mechanism.
 pub(super) fn foreign([place, argument, mechanism]: [&str; 3]) -> String {
     format!(
         "`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out"
     )
 }
 
-/// One thing by two arguments.
+/// Returns the message for one thing in two arguments.
 pub(super) fn repeated([constraint, first, second, name]: [&str; 4]) -> String {
     format!(
         "`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates"

@@ -1,4 +1,5 @@
-//! A formula on series: bounds of an equation's rows over a box, and of a law over an interval.
+//! Evaluates a formula on series: bounds of an equation's rows over a box, and of a law over an
+//! interval.
 
 use crate::numbers::real::Dual3_64;
 use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source};
@@ -10,7 +11,7 @@ use crate::model::law::Law;
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
 use crate::numbers::enclosure::series::{ORDER, Series, UNKNOWN};
 
-/// Inputs of an evaluation.
+/// The inputs of an evaluation.
 pub(crate) struct Inputs<'a> {
     pub columns: &'a [Series],
     pub t: Series,
@@ -35,9 +36,9 @@ impl Source<Series> for Inputs<'_> {
         Given::by(self.outside, law, &[]).law().map_or(UNKNOWN, |law| law_of(law, x, order))
     }
 
-    /// Bounds of a function that only the user's program can compute, of parameters alone: the
-    /// number that it gives. Its operands are known up to rounding, so it is evaluated at both ends
-    /// and in the middle of their intervals; a jump between these three is not seen.
+    /// Bounds a function of parameters that only the user's program can compute. Its operands are
+    /// known up to rounding, so Kin evaluates it at both ends and in the middle of their intervals.
+    /// It does not see a jump between these three.
     fn opaque(&self, number: usize, component: usize, operands: Vec<Series>) -> Series {
         if !operands.iter().all(|x| x.is_constant() && !x.is_open()) {
             return UNKNOWN;
@@ -116,19 +117,20 @@ impl Number for Series {
 }
 
 impl Series {
-    /// All numbers that it may be: everything where it is known up to whole turns.
+    /// Returns all numbers that the value may be; everything if it is known only up to full
+    /// revolutions.
     pub(crate) fn all_values(&self) -> Interval {
         if self.is_open() { UNKNOWN.value() } else { self.value() }
     }
 }
 
-/// A row's series; one that is known up to whole turns is not known.
+/// Returns the series of a row. A row that is known only up to full revolutions counts as unknown.
 pub(crate) fn row(formula: &Formula, row: usize, results: &Results<Series>) -> Series {
     let y = formula.rows.get(row).and_then(|row| results.number(*row)).unwrap_or(UNKNOWN);
     if y.is_open() { UNKNOWN } else { y }
 }
 
-/// Why no bounds of a formula's rows can be had, whatever the position, if so.
+/// Returns the reason why the rows of a formula have no bounds at any position, if there is one.
 pub(crate) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> {
     if formula.is_rounded {
         return Some("its constants are rounded before they can be read".to_string());
@@ -153,7 +155,7 @@ pub(crate) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> 
     })
 }
 
-/// The laws in a formula whose bounds are taken on their own word.
+/// Returns the laws of a formula whose stated bounds Kin relies on.
 pub(crate) fn trusted(formula: &Formula, outside: Outside<'_>) -> Vec<String> {
     let law = |node: Node| match formula.graph.op(node) {
         Op::Law(law, ..) => Given::by(outside, law, &[]).law().map(Law::trusted),
@@ -163,8 +165,8 @@ pub(crate) fn trusted(formula: &Formula, outside: Outside<'_>) -> Vec<String> {
 }
 
 impl Table {
-    /// The expression, as the user wrote it, because of which fewer than `len` coefficients of a
-    /// row are known.
+    /// Returns the expression, as the user wrote it, because of which fewer than `len` coefficients
+    /// of a row are known.
     pub(crate) fn unknown(
         &self,
         row: usize,
@@ -185,7 +187,7 @@ impl Table {
     }
 }
 
-/// Two answers about a comparison: that it never holds, and that it always does.
+/// Returns two answers about a comparison: it never holds, and it always holds.
 fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
     let less = [a.lo() >= b.hi(), a.hi() < b.lo()];
     let greater = [b.lo() >= a.hi(), b.hi() < a.lo()];
@@ -201,8 +203,8 @@ fn compared(comparison: Comparison, a: Interval, b: Interval) -> [bool; 2] {
     }
 }
 
-/// The law of x (order 0), or its slope (1). Where x is known up to whole turns, so is what the law
-/// makes of it: nothing, unless it repeats.
+/// Returns the law of x (order 0) or its slope (order 1). If x is known only up to full
+/// revolutions, the result is unknown, unless the law repeats.
 fn law_of(law: &Law, x: Series, order: u8) -> Series {
     let f =
         law.over(&Series::variable(x.value(), ONE, ORDER + 1).up_to(x.turns())).unwrap_or(UNKNOWN);
@@ -210,7 +212,7 @@ fn law_of(law: &Law, x: Series, order: u8) -> Series {
         return x.compose(f.known()).up_to(f.turns());
     }
     let slope: Vec<Interval> = (1..f.len()).map(|k| Interval::from(k as f64) * f.at(k)).collect();
-    // the last coefficient that is known may jump: a slope that is the last one is no continuous
-    // function
+    // The last known coefficient may jump. A slope that is the last coefficient is then no
+    // continuous function.
     if slope.len() < 2 { UNKNOWN } else { x.compose(&slope) }
 }

@@ -1,5 +1,5 @@
-//! A formula with third-order dual numbers, for the jerk: it is asked for seldom, and code of its
-//! own for every constraint would be a quarter of all that is compiled.
+//! Evaluates a formula with third-order dual numbers, for the jerk. Runs rarely need the jerk, and
+//! separate code for every constraint would be a quarter of all compiled code.
 
 use kin_graph::{Formula, Input, LeafUse, Node, Source, evaluate};
 
@@ -12,11 +12,11 @@ use crate::numbers::with_rate::WithRate;
 
 type Number = Real<Dual3_64>;
 
-/// The same numbers, whose exponents know no bounds.
+/// The same numbers with unlimited exponents.
 type Unbounded = WithRate<WithRate<WithRate<Wide>>>;
 
-/// A motion of one constraint: its columns with q, q̇, q̈, and the time; and what else its formula
-/// is evaluated with.
+/// The motion of one constraint, q, q̇, q̈ by columns and the time, together with the other inputs
+/// of its formula.
 pub(crate) struct Along<'a> {
     columns: Vec<Number>,
     t: Number,
@@ -25,7 +25,8 @@ pub(crate) struct Along<'a> {
 }
 
 impl<'a> Along<'a> {
-    /// q + s q̇ + ½ s² q̈ + ⅙ s³ q⃛ at the time t + s; without q⃛ where that is not known.
+    /// Creates q + s q̇ + ½ s² q̈ + ⅙ s³ q⃛ at the time t + s; the last term is absent if q⃛ is
+    /// unknown.
     pub(crate) fn new(
         arguments: &[Argument],
         at: &At<'_>,
@@ -48,7 +49,7 @@ impl<'a> Along<'a> {
         Along { columns, t: Real(Dual3_64::new(at.t, 1.0, 0.0, 0.0)), parameters, outside }
     }
 
-    /// Coordinates and time that stand still.
+    /// Creates constant coordinates and a constant time.
     pub(crate) fn still(
         arguments: &[Argument],
         at: &At<'_>,
@@ -59,24 +60,24 @@ impl<'a> Along<'a> {
         Along { t, ..Along::new(arguments, at, [None; 3], parameters, outside) }
     }
 
-    /// A variable that is x, and moves at the rate 1.
+    /// Creates a single variable x with the derivative 1.
     pub(super) fn variable(x: f64, parameters: &'a [f64], outside: Outside<'a>) -> Self {
         let x = Real(Dual3_64::new(x, 1.0, 0.0, 0.0));
         Along { columns: vec![x], t: Number::from(f64::NAN), parameters, outside }
     }
 
-    /// The time t + s alone: coordinates are not numbers.
+    /// Creates the time t + s alone. Coordinates are NaN.
     pub(crate) fn of_time(t: f64, parameters: &'a [f64], outside: Outside<'a>) -> Self {
         let t = Real(Dual3_64::new(t, 1.0, 0.0, 0.0));
         Along { columns: Vec::new(), t, parameters, outside }
     }
 
-    /// The value of row 0 and its first three derivatives by s.
+    /// Returns the value of row 0 and its first three derivatives by s.
     pub(crate) fn first(&self, formula: &Formula) -> [f64; 4] {
         formula.rows.first().map_or([f64::NAN; 4], |row| self.of(formula, *row))
     }
 
-    /// The value of a node and its first three derivatives by s.
+    /// Returns the value of a node and its first three derivatives by s.
     pub(crate) fn of(&self, formula: &Formula, node: Node) -> [f64; 4] {
         let y = evaluate::<Number>(&formula.graph, &[node], self).number(node);
         let y = y.map_or([f64::NAN; 4], |Real(y)| [y.re, y.v1, y.v2, y.v3]);
@@ -90,9 +91,9 @@ impl<'a> Along<'a> {
             .unwrap_or(y)
     }
 
-    /// The values of nodes, each with its first three derivatives by s, by numbers whose exponents
-    /// know no bounds: the tangents of an exponential may be too large for an f64 though it is not
-    /// itself, and what is made of it is small.
+    /// Returns the values of nodes and their first three derivatives by s, from numbers with
+    /// unlimited exponents. The derivatives of an exponential can be too large for an `f64`
+    /// although a result computed from them is small.
     #[cold]
     fn unbounded(&self, formula: &Formula, nodes: &[Node]) -> Vec<[f64; 4]> {
         let results = evaluate::<Unbounded>(&formula.graph, nodes, self);
@@ -100,7 +101,7 @@ impl<'a> Along<'a> {
         nodes.iter().map(jet).collect()
     }
 
-    /// −g‴(0) of each row.
+    /// Writes −g‴(0) of each row.
     pub(crate) fn jerk_rhs(&self, formula: &Formula, rhs: &mut [f64]) {
         let results = evaluate::<Number>(&formula.graph, &formula.rows, self);
         for (place, row) in rhs.iter_mut().zip(&formula.rows) {
@@ -130,7 +131,7 @@ impl Source<Number> for Along<'_> {
 
     fn law(&self, law: usize, x: Number, order: u8) -> Number {
         let [f, f1, f2, f3] = jet_of_law(self.outside, law, x.value(), order);
-        // A number that does not move needs no third derivative, and that may not be known.
+        // A constant needs no third derivative, which may be unknown.
         x.chain([f, f1, f2, if x.0.is_at_rest() { 0.0 } else { f3 }])
     }
 
@@ -139,13 +140,13 @@ impl Source<Number> for Along<'_> {
         Real(Given::by(self.outside, number, &operands).number(component))
     }
 
-    /// Calls stand in formulas as values of the user's program.
+    /// A formula contains calls as values of the user's program.
     fn leaf(&self, _: LeafUse, _: Vec<Number>) -> Number {
         Number::from(f64::NAN)
     }
 }
 
-/// The number with derivatives whose exponents know no bounds; a constant stays one.
+/// Converts a number to unlimited exponents; a constant remains constant.
 fn widened(Real(x): Number) -> Unbounded {
     if x.is_constant() {
         return kin_graph::Number::constant(x.re);
@@ -159,7 +160,7 @@ fn moving(jet: [f64; 4]) -> Unbounded {
     WithRate { x: twice(0), rate: Some(twice(1)) }
 }
 
-/// The value and its derivatives; those of a constant are zero.
+/// Returns the value and its derivatives; those of a constant are zero.
 fn jet(number: &Unbounded) -> [f64; 4] {
     let first = number.rate.as_ref();
     let second = first.and_then(|first| first.rate.as_ref());

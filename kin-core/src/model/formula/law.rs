@@ -1,5 +1,5 @@
-//! A law as a formula of column 0: its derivatives, its bounds, itself within another graph, and
-//! how it changes with a parameter.
+//! A law as a formula of column 0: its derivatives, its bounds, its nodes in another graph, and its
+//! derivative by a parameter.
 
 use super::bounds::{self, Inputs, opaque, row};
 use super::jerk::Along;
@@ -12,12 +12,12 @@ use kin_graph::differentiate::Partial;
 use kin_graph::{Formula, Graph, Input, Node, Op, evaluate};
 
 impl Table {
-    /// f, f′, f″ and f‴ at x.
+    /// Returns f, f′, f″ and f‴ at x.
     pub fn law_jet(&self, x: f64, parameters: &[f64], outside: Outside<'_>) -> [f64; 4] {
         Along::variable(x, parameters, outside).first(self.formula())
     }
 
-    /// Bounds of f over x; `None` where they cannot be had.
+    /// Returns bounds of f over x, or `None` if they are unknown.
     pub fn law_over(&self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
         let formula = self.formula();
         if opaque(formula, outside).is_some() {
@@ -27,12 +27,13 @@ impl Table {
         Some(row(formula, 0, &evaluate(&formula.graph, &formula.rows, &inputs)))
     }
 
-    /// The laws on whose word those bounds rest, by their kinds.
+    /// Returns the kinds of the laws whose stated bounds these bounds rely on.
     pub fn law_trusted(&self, outside: Outside<'_>) -> Vec<String> {
         bounds::trusted(self.formula(), outside)
     }
 
-    /// f at x as nodes of a graph; `None` where something in it can only be asked for.
+    /// Adds f at x to a graph. Returns `None` if the formula contains something that only the
+    /// program can compute.
     pub fn law_in(
         &self,
         graph: &mut Graph,
@@ -49,8 +50,9 @@ impl Table {
         })
     }
 
-    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` where that is not known, and
-    /// where f may switch from one side to another: at such a place there is no derivative.
+    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name. Returns `None` if the
+    /// derivative is unknown, or if f contains a conditional: where its branch changes there is no
+    /// derivative.
     pub fn law_by(&self, name: &str, parameters: &[f64], outside: Outside<'_>) -> Option<Law> {
         let formula = self.formula();
         if self.may_switch() {
@@ -59,7 +61,7 @@ impl Table {
         let row = *formula.rows.first()?;
         let number = formula.parameters.iter().position(|known| known == name)?;
         let value = *parameters.get(number)?;
-        // A graph is differentiated by its column 0: p stands there, and x in column 1.
+        // A graph is differentiated by column 0. So column 0 is p, and column 1 is x.
         let mut graph = Graph::default();
         let f =
             copied(&formula.graph, row, &mut graph, outside, &mut |graph, input| match input {
@@ -81,7 +83,7 @@ impl Table {
     }
 }
 
-/// A node of one graph as a node of another, in which its inputs are what `input` says.
+/// Copies a node of one graph to another graph. `input` replaces its inputs.
 pub(crate) fn copied(
     from: &Graph,
     row: Node,
@@ -109,7 +111,7 @@ pub(crate) fn copied(
     Some(places[row.index()])
 }
 
-/// ∂f/∂p of a law f.
+/// The law ∂f/∂p of a law f.
 struct Slope(Table);
 
 impl LawFunction for Slope {

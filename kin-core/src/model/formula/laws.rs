@@ -9,9 +9,9 @@ use crate::numbers::real::{Dual3_64, Real};
 
 pub(crate) use lengths::lengths;
 
-/// The laws of time in a formula, each by its number with its node, in the order of their numbers.
-/// `None` where one of them is asked at several times, or for a derivative: then no row follows its
-/// value alone.
+/// Returns the index and the node of each law of time in a formula, in the order of the indices.
+/// Returns `None` if the formula evaluates a law at several times, or evaluates a derivative of it:
+/// then no row depends on a single value.
 pub(crate) fn of_time(formula: &Formula) -> Option<Vec<(usize, Node)>> {
     let mut laws: Vec<(usize, Node)> = Vec::new();
     for node in formula.graph.reachable(&formula.rows) {
@@ -29,7 +29,7 @@ pub(crate) fn of_time(formula: &Formula) -> Option<Vec<(usize, Node)>> {
     Some(laws)
 }
 
-/// True if row k is x(q) − f(t) with law k, as it is written.
+/// Returns true if row k is x(q) − f(t) with law k, as written.
 pub(crate) fn are_rows(formula: &Formula, laws: &[(usize, Node)]) -> bool {
     let graph = &formula.graph;
     let is_own = |(row, (_, law)): (&Node, &(usize, Node))| match graph.op(*row) {
@@ -39,7 +39,7 @@ pub(crate) fn are_rows(formula: &Formula, laws: &[(usize, Node)]) -> bool {
     laws.len() == formula.rows.len() && formula.rows.iter().zip(laws).all(is_own)
 }
 
-/// ∂C/∂f of each of these laws, row by row, at coordinates and a time that stand still.
+/// Returns ∂C/∂f of each of these laws, row by row, at constant coordinates and time.
 pub(crate) fn slopes(
     formula: &Formula,
     laws: &[(usize, Node)],

@@ -1,6 +1,6 @@
-//! The formula of an equation as emitted code holds it: one text, which costs nothing to compile
-//! and is read when somebody first asks for it; and beside it what only the user's program can
-//! compute.
+//! The formula of an equation in compiled code. It is one text, which costs nothing to compile; Kin
+//! reads it at the first use. The values that only the user's program can compute come from a
+//! function.
 
 pub(crate) mod bounds;
 pub(crate) mod jerk;
@@ -22,7 +22,7 @@ use crate::model::coordinates::Argument;
 use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 
-/// The file of an equation that comes as text.
+/// The file name of an equation that was read as text.
 const READ: &str = "text";
 
 /// The formula of one constraint or law.
@@ -34,7 +34,7 @@ pub struct Table {
 }
 
 impl Table {
-    /// The formula as text, and the file that its expressions stand in.
+    /// Creates a formula from its text and the file that contains its expressions.
     pub const fn new(file: &'static str, text: &'static str) -> Self {
         Table {
             file,
@@ -44,19 +44,19 @@ impl Table {
         }
     }
 
-    /// A formula that was read while the program runs.
+    /// Creates a formula that was read at run time.
     pub fn read(formula: Formula) -> Self {
         let text = Cow::Owned(formula.to_string());
         Table { file: READ, text, formula: formula.into(), switches: OnceLock::new() }
     }
 
-    /// Itself, with the values of the parameters.
+    /// Returns the formula with the values of the parameters.
     pub fn with(&self, parameters: &[f64]) -> Option<(&Table, Vec<f64>)> {
         Some((self, parameters.to_vec()))
     }
 
-    /// The value of row 0 at q and t with its first three derivatives along the rates; without
-    /// rates the value alone is of use.
+    /// Returns the value of row 0 at q and t and its first three derivatives along the motion.
+    /// Without velocities only the value is meaningful.
     pub fn measured(
         &self,
         arguments: &[Argument],
@@ -69,29 +69,29 @@ impl Table {
         jerk::Along::new(arguments, at, rates, parameters, outside).first(self.formula())
     }
 
-    /// The formula. It is read once; a text that is none has no rows.
+    /// Returns the formula. Kin reads its text once; an invalid text has no rows.
     pub(crate) fn formula(&self) -> &Formula {
         self.formula.get_or_init(|| self.text.parse().unwrap_or_default())
     }
 
-    /// True if an operation in it may switch from one side to another. The words of its text tell
-    /// that, without reading the formula.
+    /// Returns true if an operation of the formula can change its branch. Kin searches the words of
+    /// the text and does not read the formula.
     pub(crate) fn may_switch(&self) -> bool {
         const WORDS: [&str; 5] = ["Select", "Abs", "Signum", "Max", "Min"];
         *self.switches.get_or_init(|| WORDS.iter().any(|word| self.text.contains(word)))
     }
 
-    /// The place of one of its expressions.
+    /// Returns the place of an expression.
     pub(crate) fn source(&self, expression: &Expression) -> Source {
         Source { file: self.file, line: expression.line, column: expression.column }
     }
 }
 
-/// Computes what only the user's program can: its number, the numbers it is made of, and where to
-/// put the results.
+/// Computes a value that only the user's program knows, from its index and its operands, and writes
+/// the results to `Given`.
 pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
-/// Results that only the user's program can compute: numbers, or the law that stands there.
+/// Results that only the user's program can compute: numbers, or a law.
 #[derive(Default)]
 pub struct Given {
     numbers: Vec<Dual3_64>,
@@ -99,46 +99,46 @@ pub struct Given {
 }
 
 impl Given {
-    /// The results of function `number` of the outside for these operands.
+    /// Returns the results of outside function `number` for these operands.
     pub(crate) fn by(outside: Outside<'_>, number: usize, operands: &[Dual3_64]) -> Given {
         let mut given = Given::default();
         outside(number, operands, &mut given);
         given
     }
 
-    /// One more number.
+    /// Appends a number.
     pub fn push(&mut self, number: Dual3_64) {
         self.numbers.push(number);
     }
 
-    /// Number k; not a number where there is none.
+    /// Returns number k, or NaN if it is missing.
     pub(crate) fn number(&self, k: usize) -> Dual3_64 {
         self.numbers.get(k).copied().unwrap_or(Dual3_64::from_re(f64::NAN))
     }
 
-    /// The law.
+    /// Returns the law.
     pub(crate) fn law(&self) -> Option<&Law> {
         self.law.as_ref()
     }
 }
 
-/// Derivative number `order` of a law at x, with the three that follow; what is not known is not a
-/// number.
+/// Returns derivative `order` of a law at x and the next three derivatives; unknown derivatives are
+/// NaN.
 pub(crate) fn jet_of_law(outside: Outside<'_>, number: usize, x: f64, order: u8) -> [f64; 4] {
     let Some(law) = Given::by(outside, number, &[]).law else { return [f64::NAN; 4] };
     let [f, f1, f2, f3] = law.jet(x);
     if order == 0 { [f, f1, f2, f3] } else { [f1, f2, f3, law.fourth(x)] }
 }
 
-/// The outside of an equation in which everything is known.
+/// The outside function of an equation that uses nothing from outside.
 pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Given) {}
 
-/// Hands over a law.
+/// Passes on a law.
 pub fn give_law(law: &Law, _: &[Dual3_64], to: &mut Given) {
     to.law = Some(law.clone());
 }
 
-/// Hands over plain numbers.
+/// Passes on plain numbers.
 pub fn give(numbers: &[f64], to: &mut Given) {
     numbers.iter().for_each(|number| to.push(Dual3_64::from_re(*number)));
 }

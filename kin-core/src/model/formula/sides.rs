@@ -1,7 +1,7 @@
-//! The branches that a formula takes at a position: which conditions hold, and which whole numbers
-//! its steps have come to.
+//! The branches that a formula takes at a position: which conditions hold, and the values of its
+//! integer steps.
 //!
-//! Newton's method, programs and events all use this one list of what can jump.
+//! Newton's method, compiled programs and events all use this list of the operations that can jump.
 
 use kin_graph::{
     Formula, Function, Function2, Graph, Input, LeafUse, Node, Op, Results, Source, evaluate,
@@ -10,21 +10,21 @@ use kin_graph::{
 use super::{Given, Outside, jet_of_law};
 use crate::numbers::real::Dual3_64;
 
-/// A choice of a node between branches, as a number that is constant on each branch.
+/// A choice of a node between branches, expressed as a number that is constant on each branch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Choice {
     /// The node itself: a condition, or a number that is constant between its jumps.
     Own(Node),
     /// ⌊|x|⌋ with the sign of x.
     Truncated(Node),
-    /// The whole number of times that the second node goes into the first one, toward zero.
+    /// The integer quotient of the first node by the second, rounded towards zero.
     Quotient(Node, Node),
-    /// The same such that the remainder is not negative.
+    /// The integer quotient that leaves a nonnegative remainder.
     EuclideanQuotient(Node, Node),
 }
 
 impl Choice {
-    /// The choice that a node of a graph makes, if it makes one.
+    /// Returns the choice that a node of a graph makes, if it makes one.
     pub(crate) fn of(graph: &Graph, node: Node) -> Option<Choice> {
         Some(match graph.op(node) {
             Op::Select(condition, ..) => Choice::Own(condition),
@@ -37,7 +37,7 @@ impl Choice {
         })
     }
 
-    /// The node that stands for this choice, made where there is none.
+    /// Returns the node of this choice and creates it if it does not exist.
     pub(crate) fn node(self, graph: &mut Graph) -> Node {
         match self {
             Choice::Own(node) => node,
@@ -50,7 +50,8 @@ impl Choice {
         }
     }
 
-    /// Nodes that are zero where this choice changes: how far it is from there.
+    /// Returns nodes that are zero where this choice changes. They measure the distance from the
+    /// change.
     pub(crate) fn gaps(self, graph: &mut Graph) -> Vec<Node> {
         let of_whole_number = |graph: &mut Graph, x: Node| {
             let nearest = graph.call(Function::Round, x);
@@ -89,7 +90,7 @@ impl Choice {
         }
     }
 
-    /// Its number; a condition is 0 or 1.
+    /// Returns the number of the choice; a condition is 0 or 1.
     fn number(self, results: &Results<f64>) -> f64 {
         let of = |node: Node| {
             let condition = || results.condition(node).map(|holds| f64::from(u8::from(holds)));
@@ -104,7 +105,7 @@ impl Choice {
     }
 }
 
-/// The numbers of all choices of a formula that move with coordinates, appended to a list.
+/// Appends the numbers of all choices that depend on coordinates to a list.
 pub(crate) fn choices(formula: &Formula, at: &Numbers<'_>, to: &mut Vec<f64>) {
     let graph = &formula.graph;
     let results = evaluate(graph, &formula.rows, at);
@@ -159,7 +160,7 @@ impl Source<f64> for Numbers<'_> {
         Given::by(self.outside, number, &operands).number(component).re
     }
 
-    /// Calls stand in formulas as values of the user's program.
+    /// A formula contains calls as values of the user's program.
     fn leaf(&self, _: LeafUse, _: Vec<f64>) -> f64 {
         f64::NAN
     }

@@ -1,5 +1,5 @@
-//! Where time enters a formula: its nodes that move with time alone, bounds of them, and how rows
-//! follow them.
+//! Where time enters a formula: the nodes that depend on time alone, their bounds, and how rows
+//! depend on them.
 
 use kin_graph::{Formula, Node, Op, evaluate, evaluate_beyond};
 
@@ -8,8 +8,8 @@ use crate::model::formula::Outside;
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 
-/// The nodes that move with time alone and are read by what moves with coordinates too, or are
-/// rows: all that time does is done by them.
+/// Returns the nodes that depend on time alone and are rows, or operands of nodes that depend on
+/// coordinates. Time acts only through them.
 pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
     let graph = &formula.graph;
     let needed = graph.reachable(&formula.rows);
@@ -22,7 +22,7 @@ pub(crate) fn signals(formula: &Formula) -> Vec<Node> {
     needed.into_iter().filter(|node| read[node.index()] && is_of_time(node)).collect()
 }
 
-/// True if a row can jump where coordinates move.
+/// Returns true if a row can jump when coordinates move.
 pub(crate) fn can_jump(formula: &Formula) -> bool {
     let jumps = |op: Op| match op {
         Op::Call(f, _) => f.facts().can_jump(),
@@ -36,7 +36,7 @@ pub(crate) fn can_jump(formula: &Formula) -> bool {
         .any(|node| graph.depends(node).on_q && jumps(graph.op(node)))
 }
 
-/// Signals as functions of time; a condition that may change is not known.
+/// Returns the signals as functions of time. A condition that may change is unknown.
 pub(crate) fn over_time(
     formula: &Formula,
     signals: &[Node],
@@ -55,8 +55,8 @@ pub(crate) fn over_time(
     signals.iter().map(|node| known(node).unwrap_or(UNKNOWN)).collect()
 }
 
-/// The slopes of all rows along each of the signals, at coordinates and a time; not numbers where
-/// they are not known.
+/// Returns the slopes of all rows by each signal, at given coordinates and time; unknown slopes are
+/// NaN.
 pub(crate) fn slopes(
     formula: &Formula,
     signals: &[Node],

@@ -9,7 +9,7 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::Series;
 
 impl Law {
-    /// f(x) = c.
+    /// Returns the constant law f(x) = c.
     pub fn constant(c: impl IntoNumber) -> Law {
         Law::hanging(|to| Polynomial {
             kind: "constant",
@@ -18,12 +18,12 @@ impl Law {
         })
     }
 
-    /// f(x) = rate · x.
+    /// Returns the law of constant rate f(x) = rate · x.
     pub fn ramp(rate: impl IntoNumber) -> Law {
         Law::hanging(|to| Ramp { rate: to.number("rate", rate) })
     }
 
-    /// f(x) = f0 + rate · x.
+    /// Returns the straight line f(x) = f0 + rate · x.
     pub fn linear(f0: impl IntoNumber, rate: impl IntoNumber) -> Law {
         Law::hanging(|to| {
             let c = vec![to.number("f0", f0), to.number("rate", rate)];
@@ -31,7 +31,8 @@ impl Law {
         })
     }
 
-    /// f(x) = c\[0\] + c\[1\] x + c\[2\] x² + …; zero for no coefficient.
+    /// Returns the polynomial f(x) = c\[0\] + c\[1\] x + c\[2\] x² + …. Without coefficients the
+    /// law is zero.
     pub fn polynomial(c: &[impl IntoNumber]) -> Law {
         Law::hanging(|to| Polynomial {
             kind: "polynomial",
@@ -40,7 +41,7 @@ impl Law {
         })
     }
 
-    /// f(x) = mean + amplitude · sin x.
+    /// Returns the harmonic law f(x) = mean + amplitude · sin x.
     pub fn harmonic(mean: impl IntoNumber, amplitude: impl IntoNumber) -> Law {
         Law::hanging(|to| {
             let mean = to.number("mean", mean);
@@ -49,7 +50,7 @@ impl Law {
         })
     }
 
-    /// f(x) = amplitude · sin(omega · x + phase).
+    /// Returns the sine law f(x) = amplitude · sin(omega · x + phase).
     pub fn sine(amplitude: impl IntoNumber, omega: impl IntoNumber, phase: impl IntoNumber) -> Law {
         Law::hanging(|to| {
             let amplitude = to.number("amplitude", amplitude);
@@ -58,8 +59,8 @@ impl Law {
         })
     }
 
-    /// f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x), k = 1, 2, … over the pairs
-    /// (a_k, b_k).
+    /// Returns the Fourier series f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x).
+    /// k = 1, 2, … counts the pairs (a_k, b_k).
     pub fn fourier<N: IntoNumber>(
         mean: impl IntoNumber,
         omega: impl IntoNumber,
@@ -75,7 +76,7 @@ impl Law {
     }
 }
 
-/// rate · x
+/// The law rate · x.
 struct Ramp {
     rate: f64,
 }
@@ -123,17 +124,17 @@ impl LawFunction for Ramp {
     }
 }
 
-/// Σ c_k x^k
+/// The law Σ c_k x^k.
 #[derive(Clone)]
 struct Polynomial {
     kind: &'static str,
-    /// Names of the coefficients; `c[k]` where there is none.
+    /// Names of the coefficients. A coefficient beyond the end of the list is named `c[k]`.
     names: &'static [&'static str],
     c: Vec<f64>,
 }
 
 impl Polynomial {
-    /// f, f′, f″/2, f‴/6, f⁗/24.
+    /// Returns f, f′, f″/2, f‴/6, f⁗/24 at x.
     fn taylor(&self, x: f64) -> [f64; 5] {
         let step = |[f, f1, f2, f3, f4]: [f64; 5], c: &f64| {
             [f * x + c, f1 * x + f, f2 * x + f1, f3 * x + f2, f4 * x + f3]
@@ -147,7 +148,7 @@ impl Polynomial {
 }
 
 impl LawFunction for Polynomial {
-    /// Horner's rule for all at once.
+    /// Horner's rule for the value and all derivatives in one pass.
     fn jet(&self, x: f64) -> [f64; 4] {
         let [f, f1, f2, f3, _] = self.taylor(x);
         [f, f1, 2.0 * f2, 6.0 * f3]
@@ -205,7 +206,7 @@ impl LawFunction for Polynomial {
     }
 }
 
-/// mean + amplitude · sin(omega · x + phase)
+/// The law mean + amplitude · sin(omega · x + phase).
 #[derive(Clone)]
 struct Sine {
     kind: &'static str,
@@ -292,7 +293,7 @@ impl LawFunction for Sine {
     }
 }
 
-/// mean + Σ a_k cos(k omega x) + b_k sin(k omega x)
+/// The law mean + Σ a_k cos(k omega x) + b_k sin(k omega x).
 #[derive(Clone)]
 struct Fourier {
     mean: f64,
@@ -301,7 +302,7 @@ struct Fourier {
 }
 
 impl Fourier {
-    /// The derivatives up to the fourth.
+    /// Returns the value and the derivatives up to the fourth.
     fn derivatives(&self, x: f64) -> [f64; 5] {
         let mut all = [self.mean, 0.0, 0.0, 0.0, 0.0];
         for (k, (a, b)) in (1..).zip(&self.pairs) {

@@ -1,4 +1,5 @@
-//! Laws made of laws: sums, products, multiples and compositions, exact to the third derivative.
+//! Laws made from other laws: sums, products, multiples and compositions, exact to the third
+//! derivative.
 
 use std::ops::{Add, Div, Mul};
 
@@ -14,12 +15,12 @@ use crate::numbers::enclosure::Series;
 use composed::Composed;
 
 impl Law {
-    /// f(g(x)), this law after `inner`.
+    /// Returns the composition f(g(x)): `inner` is g, this law is f.
     pub fn compose(&self, inner: &Law) -> Law {
         Law::new(Composed { outer: self.clone(), inner: inner.clone() })
     }
 
-    /// f(x − x0): the same curve, x0 later.
+    /// Returns the law f(x − x0): the same curve, shifted by x0.
     pub fn shifted(&self, x0: impl IntoNumber) -> Law {
         self.compose(&Law::linear(-x0, 1.0))
     }
@@ -60,13 +61,13 @@ impl Mul<f64> for Law {
 impl Div<f64> for Law {
     type Output = Law;
 
-    /// f(x)/divisor, as the multiple of the law by 1/divisor.
+    /// Returns f(x)/divisor, as the multiple of the law by 1/divisor.
     fn div(self, divisor: f64) -> Law {
         Law::new(Multiple { factor: divisor.recip(), law: self })
     }
 }
 
-/// The methods in which a law of two parts side by side asks both.
+/// The methods of a law of two parts that query both parts in the same way.
 macro_rules! two_parts {
     ($first:ident, $second:ident) => {
         fn parts(&self) -> Vec<(String, Law)> {
@@ -111,7 +112,7 @@ macro_rules! two_parts {
     };
 }
 
-/// f + g
+/// The law f + g.
 struct Sum {
     first: Law,
     second: Law,
@@ -164,7 +165,7 @@ impl LawFunction for Sum {
     }
 }
 
-/// f · g
+/// The law f · g.
 struct Product {
     first: Law,
     second: Law,
@@ -229,7 +230,7 @@ impl LawFunction for Product {
     }
 }
 
-/// factor · f
+/// The law factor · f.
 pub(super) struct Multiple {
     pub factor: f64,
     pub law: Law,

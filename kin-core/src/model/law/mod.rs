@@ -1,5 +1,5 @@
-//! Laws: functions of one variable with their derivatives, for motors, cam profiles and other
-//! prescribed curves.
+//! Laws: functions of one variable with their derivatives. They describe motors, cam profiles and
+//! other prescribed curves.
 
 mod basic;
 mod breaks;
@@ -27,95 +27,102 @@ use crate::model::dimension::{Bindings, Dimension};
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual, Real};
 
-/// A function f of one variable that knows its derivatives; implement it for a law of one's own,
-/// then wrap it with [`Law::new`].
+/// A function f of one variable with its derivatives.
+///
+/// Implement this trait for a user-defined law, then wrap the value with [`Law::new`].
 pub trait LawFunction: Send + Sync {
-    /// \[f, f′, f″, f‴\] at x, in the unit of f per powers of the unit of x.
+    /// Returns \[f, f′, f″, f‴\] at x. The unit of a derivative is the unit of f divided by powers
+    /// of the unit of x.
     fn jet(&self, x: f64) -> [f64; 4];
 
-    /// Kind of the law, such as `ramp`.
+    /// Returns the kind of the law, such as `ramp`.
     fn kind(&self) -> &str {
         "law"
     }
 
-    /// Description of the law, in the words of its documentation.
+    /// Returns a description of the law for lists and documents.
     fn description(&self) -> &str {
         ""
     }
 
-    /// Its function as text in Kin's language, `fn lift(x: f64, h: f64) -> f64 { … }`, where that
-    /// is all it is: mechanism files carry it, for readers that do not know its kind.
+    /// Returns the function as text in Kin's language, `fn lift(x: f64, h: f64) -> f64 { … }`.
+    ///
+    /// Mechanism files contain this text for readers that do not know the kind of the law. The
+    /// default is `None`: the law is not such a function.
     fn text(&self) -> Option<&str> {
         None
     }
 
-    /// f⁗(x), where it is known; not a number where it is not. Only the jerk of an equation that
-    /// reads a law's slope asks for it.
+    /// Returns f⁗(x), or NaN if it is unknown. Kin evaluates it only for the jerk of an equation
+    /// that contains the slope of a law.
     fn fourth(&self, x: f64) -> f64 {
         let _ = x;
         f64::NAN
     }
 
-    /// The breaks between `from` and `to`, both included, in increasing order of x; none by
-    /// default: a smooth law. Of more than ten thousand the laws of the library give as many: one
-    /// that repeats has any number of them.
+    /// Returns the breaks between `from` and `to`, ends included, in increasing order of x.
+    ///
+    /// The default is none: a smooth law. The laws of the library return at most the first ten
+    /// thousand breaks, because a law that repeats has any number of them.
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let _ = (from, to);
         Vec::new()
     }
 
-    /// The break between `from` and `to` in which the lowest derivative jumps, also where there are
-    /// too many to list them.
+    /// Returns the break between `from` and `to` in which the lowest derivative jumps. It also
+    /// works where [`LawFunction::breaks`] would return too many breaks.
     fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
         breaks::sharpest(self.breaks(from, to))
     }
 
-    /// True if there is no break anywhere.
+    /// Returns true if the law has no break anywhere.
     fn is_smooth(&self) -> bool {
         true
     }
 
-    /// The arguments that it is made for; `None` (default) where it is made for all.
+    /// Returns the range of arguments for which the law is defined. The default `None` means all
+    /// arguments.
     fn range(&self) -> Option<LawRange> {
         None
     }
 
-    /// The arguments of the tables in it, beyond which a table goes on as a straight line: a run
-    /// that goes beyond them reports a warning. `None` (default) where there is no table, or where
-    /// tables repeat.
+    /// Returns the range of the tables in the law. Outside this range a table continues as a
+    /// straight line, and a run that leaves the range reports a warning.
+    ///
+    /// The default `None` means that the law has no table, or that its tables repeat.
     fn table_range(&self) -> Option<LawRange> {
         None
     }
 
-    /// Why its parameters make no sense, if so: what uses the law is refused with these words.
+    /// Returns the reason why the parameters make no sense, if they do. The error of whatever uses
+    /// the law contains this text.
     fn refusal(&self) -> Option<String> {
         None
     }
 
-    /// Shows each numeric parameter with its name; a value that is not finite is refused where the
-    /// law is used.
+    /// Passes each numeric parameter and its name to `visit`. Kin refuses a law with a parameter
+    /// that is not finite.
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let _ = visit;
     }
 
-    /// The laws that it is made of, by the names that their parameters begin with.
+    /// Returns the laws that this law contains, each with the prefix of its parameter names.
     fn parts(&self) -> Vec<(String, Law)> {
         Vec::new()
     }
 
-    /// Numbers that make it the law it is but are no parameters, such as where the points of a
-    /// table stand.
+    /// Returns the numbers that define the law but are no parameters, such as the x values of a
+    /// table.
     fn fixed_numbers(&self) -> Vec<(String, f64)> {
         Vec::new()
     }
 
-    /// The law of a function of which bounds are known, for [`crate::System::prove`]; `None`
-    /// (default) where those of the law are not: then nothing can be proved of a motion that it
-    /// drives.
+    /// Returns bounds of the law for [`crate::System::prove`]. The default is `None`: Kin then
+    /// cannot prove a motion that this law drives.
     ///
-    /// Either the formula once more, on [`Series`] instead of numbers, or bounds of the derivatives
-    /// through [`Series::chain`]. These bounds are taken for true, and a proof says so;
-    /// [`crate::ask::check::law`] tries them at random.
+    /// Implement it in one of two ways: repeat the formula on [`Series`] instead of numbers, or
+    /// bound the derivatives through [`Series::chain`]. Kin relies on these bounds, and a proof
+    /// says so. [`crate::ask::check::law`] tests them at random arguments.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -137,54 +144,56 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
-    /// Itself at x as nodes of a graph, so that a program computes it with all else; `None`
-    /// (default) where it has to be asked.
+    /// Adds the law at x to a graph and returns its node, so that a compiled program can compute
+    /// it. The default is `None`: the program then calls [`LawFunction::jet`].
     #[doc(hidden)]
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
         let _ = (graph, x);
         None
     }
 
-    /// The laws on whose word its bounds rest, by their kinds: itself, unless Kin knows its
-    /// formula.
+    /// Returns the kinds of the laws whose stated bounds a proof relies on. By default this is the
+    /// law itself; a law with a formula that Kin knows returns none.
     #[doc(hidden)]
     fn trusted(&self) -> Vec<String> {
         vec![self.kind().to_string()]
     }
 
-    /// ∂f/∂p as a law of x, p being the parameter of that name; `None` (default) where it is not
-    /// known: then sensitivities by that parameter are refused by name.
+    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name. The default is `None`:
+    /// Kin then reports an error, with the name, when a sensitivity needs that parameter.
     fn by_parameter(&self, name: &str) -> Option<Law> {
         let _ = name;
         None
     }
 
-    /// The same law with one parameter changed; `None` if there is none of that name.
+    /// Returns the law with one parameter changed, or `None` if the law has no parameter with this
+    /// name.
     fn with_parameter(&self, name: &str, value: f64) -> Option<Law> {
         let _ = (name, value);
         None
     }
 }
 
-/// A function of one variable with its derivatives up to the third: cheap to clone, the same for
-/// everyone who holds it.
+/// A function of one variable with its derivatives up to the third. Clones are cheap and share the
+/// function.
 ///
-/// Constructors give laws, not results: what makes no sense (a parameter that is not finite, a
-/// table that does not increase, parts that do not meet) is told by [`Law::refusal`], and refused
-/// by name where a mechanism is to use the law.
+/// Constructors return a law, never an error. [`Law::refusal`] says whether its parameters make
+/// sense: each must be finite, a table must increase, and parts must meet. A mechanism returns an
+/// error if you add a law with a refusal.
 #[derive(Clone)]
 pub struct Law(Arc<dyn LawFunction>, Bound);
 
-/// The parameters of a law that hang on dimensions, by their names; of most laws there are none.
+/// The parameters of a law that depend on dimensions, by their names. Most laws have none.
 type Bound = Option<Arc<Vec<(String, Dimension)>>>;
 
 impl Law {
-    /// A law of one's own.
+    /// Wraps a user-defined law.
     pub fn new(function: impl LawFunction + 'static) -> Self {
         Law(Arc::new(function), None)
     }
 
-    /// The law whose parameters hang on dimensions, those which `make` notes by their names.
+    /// Creates a law whose parameters depend on dimensions. `make` records these parameters by
+    /// their names.
     #[doc(hidden)]
     pub fn hanging<F: LawFunction + 'static>(make: impl FnOnce(&mut Bindings) -> F) -> Self {
         let mut bound = Bindings::NONE;
@@ -192,12 +201,13 @@ impl Law {
         Law::new(function).hung_on(bound.take())
     }
 
-    /// The same law, of which these parameters, by their names, hang on dimensions.
+    /// Returns the law with the given parameters bound to dimensions.
     pub(crate) fn hung_on(self, bound: Vec<(String, Dimension)>) -> Self {
         Law(self.0, (!bound.is_empty()).then(|| Arc::new(bound)))
     }
 
-    /// Shows each parameter that hangs on dimensions by its name, those of its parts too.
+    /// Passes each parameter that depends on a dimension to `show`, including the parameters of
+    /// parts.
     pub(crate) fn each_hung(&self, show: &mut dyn FnMut(&str, Dimension)) {
         self.1.iter().flat_map(|bound| bound.iter()).for_each(|(name, number)| show(name, *number));
         for (part, law) in self.parts() {
@@ -205,95 +215,95 @@ impl Law {
         }
     }
 
-    /// \[f, f′, f″, f‴\] at x.
+    /// Returns \[f, f′, f″, f‴\] at x.
     pub fn jet(&self, x: f64) -> [f64; 4] {
         self.0.jet(x)
     }
 
-    /// Itself at x as nodes of a graph, if it is known so.
+    /// Adds the law at x to a graph and returns its node, if the law has a formula.
     pub(crate) fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
         self.0.written(graph, x)
     }
 
-    /// True if it is the same law: a clone.
+    /// Returns true if the other law is a clone of this law.
     pub(crate) fn is(&self, other: &Law) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 
-    /// f(x), for a plain number or any dual number.
+    /// Returns f(x) for an `f64` or a dual number.
     pub fn at<X: LawArgument>(&self, x: X) -> X {
         x.through(self)
     }
 
-    /// f′(x), for a plain number or any dual number.
+    /// Returns f′(x) for an `f64` or a dual number.
     pub fn slope<X: LawArgument>(&self, x: X) -> X {
         x.through_slope(self)
     }
 
-    /// ∂f/∂p as a law of x, p being the parameter of that name, where it is known.
+    /// Returns ∂f/∂p as a law of x, if it is known. p is the parameter with this name.
     pub fn by_parameter(&self, name: &str) -> Option<Law> {
         self.0.by_parameter(name)
     }
 
-    /// Kind of the law.
+    /// Returns the kind of the law, such as `ramp`.
     pub fn kind(&self) -> &str {
         self.0.kind()
     }
 
-    /// Description of the law, in the words of its documentation.
+    /// Returns a description of the law for lists and documents.
     pub fn description(&self) -> &str {
         self.0.description()
     }
 
-    /// f⁗(x), where it is known.
+    /// Returns f⁗(x), or NaN if it is unknown.
     pub fn fourth(&self, x: f64) -> f64 {
         self.0.fourth(x)
     }
 
-    /// The law of a function with interval bounds, where they are known.
+    /// Returns interval bounds of the law, if they are known.
     pub(crate) fn over(&self, x: &Series) -> Option<Series> {
         self.0.over(x)
     }
 
-    /// The laws on whose word these bounds rest.
+    /// Returns the kinds of the laws whose stated bounds a proof relies on.
     #[doc(hidden)]
     pub fn trusted(&self) -> Vec<String> {
         self.0.trusted()
     }
 
-    /// Its function as text in Kin's language, if it has one.
+    /// Returns the function as text in Kin's language, if the law has such a text.
     pub fn text(&self) -> Option<&str> {
         self.0.text()
     }
 
-    /// Where derivatives up to the third jump between `from` and `to`, both included, in increasing
-    /// order of x; of more than ten thousand places as many.
+    /// Returns the places between `from` and `to` where a derivative up to the third jumps. Both
+    /// ends are included, and x increases. The list has at most ten thousand entries.
     pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         self.0.breaks(from.min(to), to.max(from))
     }
 
-    /// The break between `from` and `to` in which the lowest derivative jumps.
+    /// Returns the break between `from` and `to` in which the lowest derivative jumps.
     pub fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
         self.0.sharpest_break(from.min(to), to.max(from))
     }
 
-    /// True if no derivative up to the third jumps anywhere.
+    /// Returns true if no derivative up to the third jumps anywhere.
     pub fn is_smooth(&self) -> bool {
         self.0.is_smooth()
     }
 
-    /// The arguments that the law is made for, such as those of its table; `None` where it is made
-    /// for all.
+    /// Returns the range of arguments for which the law is defined, such as that of its table.
+    /// `None` means all arguments.
     pub fn range(&self) -> Option<LawRange> {
         self.0.range()
     }
 
-    /// True if it is a table alone, whose ends depend on no parameter.
+    /// Returns true if the law is a single table whose ends depend on no parameter.
     pub(crate) fn is_table(&self) -> bool {
         matches!(self.kind(), "spline" | "quintic_spline")
     }
 
-    /// Why its parameters make no sense, if so.
+    /// Returns the reason why the parameters make no sense, if they do.
     pub fn refusal(&self) -> Option<String> {
         let mut bad = None;
         self.parameters(&mut |name, value| {
@@ -304,8 +314,8 @@ impl Law {
         bad.or_else(|| self.0.refusal())
     }
 
-    /// True if f(x + period) = f(x) for all that can be seen: values and first three derivatives at
-    /// 24 places, each to nine digits of the largest of its kind.
+    /// Returns true if f(x + period) = f(x) as far as samples show. Kin compares the value and the
+    /// first three derivatives at 24 places, each to nine digits of the largest sample.
     pub fn is_periodic(&self, period: f64) -> bool {
         let places = || (0..24).map(|k| period * (f64::from(k) * 0.618_033_988_749_894_9).fract());
         let jets: Vec<[[f64; 4]; 2]> =
@@ -316,7 +326,7 @@ impl Law {
                 .fold(0.0_f64, |size, jet| size.max(jet.get(k).map_or(0.0, |f| f.abs())))
         };
         (0..4).all(|k| {
-            // x is rounded, and with a steep law so is f.
+            // x is rounded, so the value of a steep law has an error too.
             let next = if k < 3 {
                 size(k + 1)
             } else {
@@ -327,26 +337,26 @@ impl Law {
         })
     }
 
-    /// Shows each numeric parameter with its name; the parts of a combined law are told apart by
-    /// `first.`, `second.`, `outer.`, `inner.`.
+    /// Passes each numeric parameter and its name to `visit`. In a combined law the prefixes
+    /// `first.`, `second.`, `outer.` and `inner.` distinguish the parts.
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
     }
 
-    /// The laws that it is made of, by the names that their parameters begin with: `first`,
-    /// `second`.
+    /// Returns the laws that this law contains, each with the prefix of its parameter names, such
+    /// as `first` and `second`.
     pub fn parts(&self) -> Vec<(String, Law)> {
         self.0.parts()
     }
 
-    /// Numbers that make it the law it is but are no parameters, such as where the points of a
-    /// table stand.
+    /// Returns the numbers that define the law but are no parameters, such as the x values of a
+    /// table.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         self.0.fixed_numbers()
     }
 
-    /// Sets one numeric parameter by the name [`Law::parameters`] gives it; false if there is none
-    /// of that name, or the law is fixed. Clones made before keep the old value.
+    /// Sets one numeric parameter by a name from [`Law::parameters`]. Returns false if the law has
+    /// no parameter with this name, or if the law is fixed. Clones made before keep the old value.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         match self.0.with_parameter(name, value) {
             Some(law) => {
@@ -359,7 +369,8 @@ impl Law {
     }
 }
 
-/// Whose word a law rests on of which Kin knows the formula: that of its parts.
+/// Returns the kinds of the parts whose stated bounds a proof relies on, for a law with a formula
+/// that Kin knows.
 fn trusted_parts(law: &dyn LawFunction) -> Vec<String> {
     law.parts().iter().flat_map(|(_, part)| part.trusted()).collect()
 }
@@ -374,12 +385,13 @@ impl fmt::Debug for Law {
     }
 }
 
-/// A number that a law can be asked at: `f64`, or [`Real`] where a constraint runs on dual numbers.
+/// A number at which a law can be evaluated: `f64`, or [`Real`] where a constraint runs on dual
+/// numbers.
 pub trait LawArgument {
-    /// f(self), with the derivatives that the kind of number carries.
+    /// Returns f(self) with the derivatives that this kind of number carries.
     fn through(self, law: &Law) -> Self;
 
-    /// f′(self), with the derivatives that the kind of number carries.
+    /// Returns f′(self) with the derivatives that this kind of number carries.
     fn through_slope(self, law: &Law) -> Self;
 }
 
@@ -400,7 +412,7 @@ impl<D: Dual> LawArgument for Real<D> {
 
     fn through_slope(self, law: &Law) -> Self {
         let [_, f1, f2, f3] = law.jet(self.value());
-        // Where nothing moves the fourth derivative, which may not be known, is not asked for.
+        // If nothing moves, the product does not need the fourth derivative, which can be unknown.
         let f4 = if self.0.is_at_rest() { 0.0 } else { law.fourth(self.value()) };
         self.chain([f1, f2, f3, f4])
     }

@@ -1,14 +1,16 @@
-//! Motions from rest to rest within limits: trapezoidal velocity and its smoother kin, the S-curve.
+//! Motions from rest to rest within limits: trapezoidal velocity and the S-curve.
 
 use super::{Break, Law, LawFunction, trusted_parts};
 use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
-    /// Rest to rest over a distance with trapezoidal velocity: constant acceleration up to the
-    /// speed, then constant speed, then as it came; without the middle part where the distance is
-    /// too short. 0 before x = 0, the distance after. Its acceleration jumps. A negative distance
-    /// is a way back.
+    /// Returns a motion from rest to rest with trapezoidal velocity: constant acceleration,
+    /// constant speed, constant deceleration.
+    ///
+    /// A short distance has no phase of constant speed. The law is 0 before x = 0 and equals the
+    /// distance after the motion. Its acceleration jumps. A negative distance gives the motion in
+    /// the other direction.
     pub fn trapezoidal(
         distance: impl IntoNumber,
         speed: impl IntoNumber,
@@ -21,10 +23,11 @@ impl Law {
         })
     }
 
-    /// Rest to rest over a distance with seven pieces of constant jerk, within a speed, an
-    /// acceleration and a jerk; pieces that do not fit into a short distance fall away. 0 before
-    /// x = 0, the distance after. Its jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*,
-    /// section 3.4.
+    /// Returns a motion from rest to rest in seven pieces of constant jerk, limited in speed,
+    /// acceleration and jerk.
+    ///
+    /// A short distance needs fewer pieces. The law is 0 before x = 0 and equals the distance after
+    /// the motion. Its jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
     pub fn s_curve(
         distance: impl IntoNumber,
         speed: impl IntoNumber,
@@ -41,20 +44,20 @@ impl Law {
     }
 }
 
-/// Pieces of constant third (or second) derivative.
+/// A motion in pieces of constant jerk, or of constant acceleration if the jerk has no limit.
 #[derive(Clone)]
 struct Move {
     distance: f64,
     speed: f64,
     acceleration: f64,
-    /// The limit; without one the acceleration jumps.
+    /// The limit of the jerk. With `None` the acceleration jumps.
     jerk: Option<f64>,
     pieces: Vec<Piece>,
-    /// Where it comes to rest.
+    /// The argument at which the motion comes to rest.
     end: f64,
 }
 
-/// A cubic from x = start on: s + v τ + a τ²/2 + j τ³/6.
+/// A cubic that begins at x = start: s + v τ + a τ²/2 + j τ³/6 with τ = x − start.
 #[derive(Clone, Copy)]
 struct Piece {
     start: f64,
@@ -98,7 +101,7 @@ impl Move {
         let d = self.distance.abs();
         let v = self.speed;
         let a = self.acceleration;
-        // the ramp to full speed: t_j of jerk at either end
+        // The ramp to full speed has a phase of jerk, t_j long, at each end.
         let (mut t_j, mut ramp) = if v * jerk >= a * a {
             (a / jerk, a / jerk + v / a)
         } else {
@@ -121,13 +124,13 @@ impl Move {
         self.fill(&[up.as_slice(), &[(cruise, 0.0, 0.0)], &down].concat());
     }
 
-    /// Pieces of (duration, jump of acceleration where jerk has no limit, jerk), one after the
-    /// other; those without duration are left out.
+    /// Appends pieces from triples (duration, jump of acceleration if the jerk has no limit, jerk).
+    /// It omits pieces without duration.
     fn fill(&mut self, parts: &[(f64, f64, f64)]) {
         let mut next = Piece { start: 0.0, s: 0.0, v: 0.0, a: 0.0, j: 0.0 };
         for &(duration, a, j) in parts.iter().filter(|part| part.0 > 0.0) {
             let piece = Piece { a: if self.jerk.is_none() { a } else { next.a }, j, ..next };
-            // two pieces of the same jerk are one
+            // Merges two neighbouring pieces of the same jerk.
             if self.jerk.is_none() || self.pieces.last().is_none_or(|last| last.j != j) {
                 self.pieces.push(piece);
             }
@@ -162,10 +165,10 @@ impl LawFunction for Move {
     fn description(&self) -> &str {
         match self.jerk {
             Some(_) => {
-                "S-curve: rest to rest over a distance within a speed, an acceleration and a jerk, in seven pieces of constant jerk."
+                "S-curve from rest to rest over a distance, limited in speed, acceleration and jerk: seven pieces of constant jerk."
             }
             None => {
-                "Trapezoidal velocity: rest to rest over a distance with constant acceleration up to a speed."
+                "Trapezoidal velocity from rest to rest over a distance: constant acceleration up to a limit of the speed."
             }
         }
     }
@@ -182,8 +185,8 @@ impl LawFunction for Move {
             let Some(piece) = self.pieces.get(before) else {
                 return Some(x.times(0.0).plus(self.distance));
             };
-            // begun where the piece before has ended, but for rounding; at rest, or with no
-            // acceleration, exactly so
+            // The piece begins where the piece before ends, except for rounding. A piece at rest or
+            // without acceleration begins exactly.
             let near = |x: f64, size: f64| {
                 Series::constant(Interval::near(x, if x == 0.0 { 0.0 } else { size }))
             };

@@ -1,5 +1,4 @@
-//! The parts of laws that are made of laws: their parameters; and the operators that need nothing
-//! else.
+//! Parameters of laws that contain other laws, and the operators that need nothing else.
 
 use std::ops::{Mul, Neg, Sub};
 
@@ -7,30 +6,30 @@ use super::combine::Multiple;
 use super::{Law, LawFunction, LawRange};
 use crate::model::dimension::Dimension;
 
-/// Shows the parameters of a part under its own name.
+/// Passes the parameters of a part to `visit`, with the name of the part as a prefix.
 pub(super) fn show(law: &Law, part: &str, visit: &mut dyn FnMut(&str, f64)) {
     law.parameters(&mut |name, value| visit(&format!("{part}.{name}"), value));
 }
 
-/// Sets a parameter of a part, if the name begins with the part's.
+/// Sets a parameter of a part, if the name begins with the prefix of the part.
 pub(super) fn set(law: &mut Law, part: &str, name: &str, value: f64) -> bool {
     name.strip_prefix(part)
         .and_then(|rest| rest.strip_prefix('.'))
         .is_some_and(|rest| law.set_parameter(rest, value))
 }
 
-/// ∂/∂p of a part, p being called as the whole calls it.
+/// Returns ∂/∂p of a part, where `name` is the name of p in the whole law.
 pub(super) fn by_part(law: &Law, part: &str, name: &str) -> Option<Law> {
     law.by_parameter(name.strip_prefix(part)?.strip_prefix('.')?)
 }
 
-/// f′ as a law.
+/// Returns f′ as a law.
 pub(super) fn slope(law: &Law) -> Law {
     Law::new(Slope(law.clone()))
 }
 
-/// A range of f(g(x)), f being the outer law: that of g, and where g is a straight line the
-/// arguments that it takes into that of f.
+/// Returns a range of f(g(x)), where f is the outer law. It is the range of g. If g is a straight
+/// line, it also respects the range of f.
 pub(super) fn range_of_composed(
     [outer, inner]: [&Law; 2],
     range: impl Fn(&Law) -> Option<LawRange>,
@@ -44,7 +43,7 @@ pub(super) fn range_of_composed(
 }
 
 impl Law {
-    /// The arguments of the tables in it ([`LawFunction::table_range`]).
+    /// Returns the range of the tables in the law ([`LawFunction::table_range`]).
     pub(crate) fn table_range(&self) -> Option<LawRange> {
         self.0.table_range()
     }

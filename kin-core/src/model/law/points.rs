@@ -1,4 +1,4 @@
-//! Tables that splines go through, and what they do at the ends.
+//! The tables of splines and the conditions at their ends.
 
 use std::path::Path;
 
@@ -10,20 +10,20 @@ use crate::model::error::{Error, Result};
 /// End conditions of a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ends {
-    /// No curvature: it goes on as a line.
+    /// No curvature at the ends; the spline continues as a straight line.
     Natural,
-    /// Given slopes, with which it goes on as a line.
+    /// Given slopes at the ends; the spline continues as a straight line with these slopes.
     Clamped {
         /// Slope at the first x.
         start: f64,
         /// Slope at the last x.
         end: f64,
     },
-    /// The spline repeats: the last y is the first one again.
+    /// The spline repeats; the last y equals the first.
     Periodic,
 }
 
-/// Points (x, y) with x increasing, and what comes beyond them.
+/// Points (x, y) with increasing x, and the conditions at the ends.
 #[derive(Clone)]
 pub(super) struct Points {
     pub table: Vec<(f64, f64)>,
@@ -31,26 +31,26 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// The table, of which the values may hang on dimensions.
+    /// Reads a table. Its y values may depend on dimensions.
     pub fn new(table: &[(f64, impl IntoNumber)], ends: Ends, to: &mut Bindings) -> Points {
         let y = to.list("y", 0, table.iter().map(|(_, y)| *y));
         Points { table: table.iter().map(|(x, _)| *x).zip(y).collect(), ends }
     }
 
-    /// Width of interval k, and the rise over it.
+    /// Returns the width of interval k and the rise over it.
     pub fn step(&self, k: usize) -> (f64, f64) {
         let (x0, y0) = self.table[k];
         let (x1, y1) = self.table[k + 1];
         (x1 - x0, y1 - y0)
     }
 
-    /// Width and slope of the straight line over interval k.
+    /// Returns the width of interval k and the slope of the straight line over it.
     pub fn interval(&self, k: usize) -> (f64, f64) {
         let (width, rise) = self.step(k);
         (width, rise / width)
     }
 
-    /// The first and the last x of a table that does not repeat.
+    /// Returns the first and the last x of a table that does not repeat.
     pub fn range(&self) -> Option<LawRange> {
         let (from, _) = self.table.first()?;
         let (to, _) = self.table.last()?;
@@ -58,8 +58,8 @@ impl Points {
         (self.ends != Ends::Periodic).then_some(range)
     }
 
-    /// x brought into the table, and where it is there: interval, or outside of it. The last x is
-    /// in the last interval.
+    /// Maps x into the table and returns it with the number of its interval, or of the side outside
+    /// the table. The last x belongs to the last interval.
     pub fn place(&self, x: f64) -> (f64, usize) {
         let first = self.table[0].0;
         let last = self.table[self.table.len() - 1].0;
@@ -70,7 +70,8 @@ impl Points {
         (x, if x == last { self.table.len() - 1 } else { after })
     }
 
-    /// Why no spline goes through them, in the name of that law.
+    /// Returns the reason why no spline goes through the points. `kind` is the name of the law in
+    /// the message.
     pub fn refusal(&self, kind: &str) -> Option<String> {
         let least = if self.ends == Ends::Periodic { 3 } else { 2 };
         if self.table.len() < least {
@@ -105,8 +106,8 @@ impl Points {
         })
     }
 
-    /// The x of the table, and its ends: `periodic` is 1 where it repeats; `start` and `end` are
-    /// the slopes where they are given.
+    /// Returns the x values of the table and the conditions at its ends. `periodic` is 1 for a
+    /// table that repeats; `start` and `end` are given slopes.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         let ends = match self.ends {
             Ends::Natural => vec![],
@@ -123,15 +124,15 @@ impl Points {
             .collect()
     }
 
-    /// Each y by its name.
+    /// Passes each y and its name to `visit`.
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         for (k, (_, y)) in self.table.iter().enumerate() {
             visit(&format!("y[{k}]"), *y);
         }
     }
 
-    /// The same with one y changed, if there is one of that name; both ends of a table that
-    /// repeats.
+    /// Returns the table with one y changed, if it has one with this name. In a table that repeats
+    /// both ends change.
     pub fn with_parameter(&self, name: &str, value: f64) -> Option<Points> {
         let k = (0..self.table.len()).find(|k| name == format!("y[{k}]"))?;
         let mut table = self.table.clone();
@@ -144,7 +145,8 @@ impl Points {
     }
 }
 
-/// A law through the first two columns of a CSV file; a first line that is no numbers is a header.
+/// Makes a law through the first two columns of a CSV file. A first line without numbers is a
+/// header.
 pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Result<Law> {
     let fail = |reason: String| Error::Table { path: path.to_path_buf(), reason };
     let mut reader = csv::ReaderBuilder::new()

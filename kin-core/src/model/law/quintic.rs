@@ -11,20 +11,22 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// A quintic spline through the points (x, y), x increasing, at least two (three to be
-    /// periodic): C⁴ between the ends, so that acceleration and jerk of what it moves are smooth;
-    /// closed ([`Ends::Periodic`]) it is C⁴ everywhere, as the profile of a cam or a closed path
-    /// should be. At other ends it has no curvature and goes on as a line, with the slope that is
-    /// given or, for [`Ends::Natural`], with the one of least bending (f⁗ = 0).
+    /// Returns a quintic spline through the points (x, y): C⁴ between the ends, so acceleration and
+    /// jerk are smooth.
     ///
-    /// A table that does not increase, or does not repeat though it should, is refused where a
-    /// mechanism is to use the law. C. de Boor, *A Practical Guide to Splines*.
+    /// x must increase. The table needs at least two points, or three with [`Ends::Periodic`]. A
+    /// periodic spline is C⁴ everywhere, which suits the profile of a cam or a closed path. At
+    /// other ends the spline has no curvature and continues as a straight line. [`Ends::Clamped`]
+    /// gives the slope of that line; [`Ends::Natural`] takes the slope of least bending (f⁗ = 0).
+    ///
+    /// A mechanism returns an error for a table that does not increase, or for a periodic table
+    /// with different ends. C. de Boor, *A Practical Guide to Splines*.
     pub fn quintic_spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
         Law::hanging(|to| Quintic::new(Points::new(table, ends, to)))
     }
 
-    /// The same through the first two columns of a CSV file; a first line that is no numbers is a
-    /// header.
+    /// Returns a quintic spline through the first two columns of a CSV file. A first line without
+    /// numbers is a header.
     ///
     /// Errors: those of [`Law::spline_from_csv`].
     pub fn quintic_spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
@@ -35,7 +37,7 @@ impl Law {
 #[derive(Clone)]
 struct Quintic {
     points: Points,
-    /// f′ and f″ at each x; empty for a table that is refused.
+    /// f′ and f″ at each x. The list is empty if the table is refused.
     slopes: Vec<[f64; 2]>,
 }
 
@@ -45,7 +47,7 @@ impl Quintic {
         Quintic { points, slopes }
     }
 
-    /// Width of interval k, and its polynomial in u = (x − x_k)/h from 0 to 1.
+    /// Returns the width of interval k and its polynomial in u = (x − x_k)/h from 0 to 1.
     fn piece(&self, k: usize) -> (f64, [f64; 6]) {
         let (h, rise) = self.points.step(k);
         let [v0, a0] = self.slopes[k];
@@ -53,7 +55,7 @@ impl Quintic {
         (h, hermite(self.points.table[k].1, rise, [h * v0, h * v1], [h * h * a0, h * h * a1]))
     }
 
-    /// f and its derivatives up to the fourth over interval k, at x.
+    /// Returns f and its derivatives up to the fourth at x, over interval k.
     fn inside(&self, k: usize, x: f64) -> [f64; 5] {
         let (h, mut c) = self.piece(k);
         let u = (x - self.points.table[k].0) / h;
@@ -82,9 +84,9 @@ impl Quintic {
         }
     }
 
-    /// The polynomial of interval k, with bounds. The slopes as they were found are those of the
-    /// law: with them all pieces meet in value, slope and curvature whatever rounding there was,
-    /// and nothing has to be known of how it spread.
+    /// Returns the polynomial of interval k with bounds. The computed slopes define the law. With
+    /// them all pieces meet in value, slope and curvature, so rounding of the slopes needs no
+    /// bound.
     fn bounded(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
         let (x0, y0) = self.points.table[k];
@@ -100,8 +102,8 @@ impl Quintic {
         let cube = u * u * u;
         let rest = w * w;
         let rest_cube = w * w * w;
-        // Each number once, with the polynomial that it is multiplied by in factors: so rounding
-        // and ranges are least.
+        // Each number occurs once, multiplied by a factored polynomial. This keeps rounding and
+        // ranges small.
         Series::constant(number(y0))
             + times(rise, cube * (u * (times(number(6.0), u).plus(-15.0))).plus(10.0))
             + times(v0 * h, u * rest_cube * times(number(3.0), u).plus(1.0))
@@ -110,14 +112,14 @@ impl Quintic {
             + times(a1 * h * h * number(0.5), cube * rest)
     }
 
-    /// The line with the first two coefficients of an end, t from there.
+    /// Returns the straight line with the first two coefficients of an end. t counts from that end.
     fn line(&self, end: &Series, t: &Series) -> Series {
         Series::constant(end.at(0)) + *t * Series::constant(end.at(1))
     }
 }
 
-/// The polynomial of fifth degree in u with value y at 0, y + rise at 1, and these slopes and
-/// second slopes at both ends (by u).
+/// Returns the polynomial of degree five in u with the value y at 0 and y + rise at 1, and with the
+/// given first and second derivatives by u at both ends.
 fn hermite(y: f64, rise: f64, [v0, v1]: [f64; 2], [a0, a1]: [f64; 2]) -> [f64; 6] {
     let x = rise - v0 - 0.5 * a0;
     let v = v1 - v0 - a0;
@@ -132,7 +134,7 @@ fn hermite(y: f64, rise: f64, [v0, v1]: [f64; 2], [a0, a1]: [f64; 2]) -> [f64; 6
     ]
 }
 
-/// Two conditions on (f′, f″) of a knot and of its neighbours.
+/// Two conditions on (f′, f″) of a knot and of its two neighbours.
 #[derive(Clone, Copy)]
 struct Row {
     below: Matrix2<f64>,
@@ -141,12 +143,14 @@ struct Row {
     right: Vector2<f64>,
 }
 
-/// f′ and f″ at the knots, from continuity of f‴ and f⁗. With widths p before and n after a knot
-/// these are, Δ being the rises,
+/// Solves for f′ and f″ at the knots, from continuity of f‴ and f⁗. p and n are the widths before
+/// and after a knot, Δ the rises. The conditions are:
 ///
 /// −24 v₋/p² − 3 a₋/p + 36 (1/n² − 1/p²) v + 9 (1/n + 1/p) a + 24 v₊/n² − 3 a₊/n = 60 (Δn/n³ −
-/// Δp/p³), 168 v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² =
-/// 360 (Δn/n⁴ + Δp/p⁴).
+/// Δp/p³),
+///
+/// 168 v₋/p³ + 24 a₋/p² + 192 (1/n³ + 1/p³) v + 36 (1/n² − 1/p²) a + 168 v₊/n³ − 24 a₊/n² = 360
+/// (Δn/n⁴ + Δp/p⁴).
 fn slopes(points: &Points) -> Vec<[f64; 2]> {
     let last = points.table.len() - 1;
     let inner =
@@ -159,20 +163,20 @@ fn slopes(points: &Points) -> Vec<[f64; 2]> {
             std::iter::once(before).chain((1..last).map(inner)).chain([after]).collect()
         }
     };
-    // The last knot of one that repeats is the first one again.
+    // The last knot of a table that repeats equals the first knot.
     let found = solved(&rows);
     (0..=last).map(|k| found[k % found.len()]).map(|x| [x.x, x.y]).collect()
 }
 
-/// The conditions of a knot between two intervals as (width, rise); at an end only one of them is
-/// there.
+/// Returns the conditions of a knot between two intervals, each given as (width, rise). A knot at
+/// an end has only one interval.
 fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
     let mut below = Matrix2::zeros();
     let mut diagonal = Matrix2::zeros();
     let mut above = Matrix2::zeros();
     let mut right = Vector2::zeros();
     if let Some((p, rise)) = before {
-        // The first row in units of 1/p², the second of 1/p³.
+        // The first row is in units of 1/p², the second in units of 1/p³.
         below += Matrix2::new(-24.0 / (p * p), -3.0 / p, 168.0 / p.powi(3), 24.0 / (p * p));
         diagonal += Matrix2::new(-36.0 / (p * p), 9.0 / p, 192.0 / p.powi(3), -36.0 / (p * p));
         right += Vector2::new(-60.0 * rise / p.powi(3), 360.0 * rise / p.powi(4));
@@ -185,8 +189,8 @@ fn row(before: Option<(f64, f64)>, after: Option<(f64, f64)>) -> Row {
     Row { below, diagonal, above, right }
 }
 
-/// An end without curvature: with the slope that is given, or with f⁗ = 0, which is the second
-/// condition there.
+/// Returns the conditions of an end without curvature: the given slope, or f⁗ = 0, which is the
+/// second condition there.
 fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
     let mut row = row;
     let mut first = [0.0, 1.0];
@@ -203,16 +207,16 @@ fn end(points: &Points, row: Row, slope: impl Fn((f64, f64)) -> f64) -> Row {
     row
 }
 
-/// Solves block rows in a circle: what stands below the first and above the last multiplies the
-/// last and the first unknown (zero where the spline is not closed). The first unknown is set
-/// apart; all others are what they are without it plus their share of it.
+/// Solves block rows that are connected in a circle. `below` of the first row multiplies the last
+/// unknown, `above` of the last row the first unknown; both are zero if the spline is not closed.
+/// The elimination expresses all unknowns by the first one and solves for the first one at the end.
 fn solved(rows: &[Row]) -> Vec<Vector2<f64>> {
     let with = |v: Vector2<f64>, m: Matrix2<f64>| {
         Matrix2x3::from_columns(&[v, m.column(0).into(), m.column(1).into()])
     };
     let inverse = |m: Matrix2<f64>| m.try_inverse().unwrap_or_else(|| Matrix2::repeat(f64::NAN));
     let Some((first, others)) = rows.split_first() else { return Vec::new() };
-    // right sides: without the first unknown, and its two components
+    // Right sides: one without the first unknown, and one for each of its two components.
     let mut rights: Vec<Matrix2x3<f64>> =
         others.iter().map(|row| with(row.right, Matrix2::zeros())).collect();
     let share = |m: &Matrix2<f64>| with(Vector2::zeros(), -m);
@@ -260,7 +264,7 @@ impl LawFunction for Quintic {
     }
 
     fn description(&self) -> &str {
-        "A quintic spline through a table, natural, clamped or periodic: C⁴, so that acceleration and jerk are smooth."
+        "A quintic spline through a table, natural, clamped or periodic. It is C⁴, so acceleration and jerk are smooth."
     }
 
     fn trusted(&self) -> Vec<String> {
@@ -292,7 +296,8 @@ impl LawFunction for Quintic {
         self.all(x)[4]
     }
 
-    /// Where it becomes a line f‴ jumps; between the ends nothing up to f⁗ does.
+    /// f‴ jumps at the ends, where the spline becomes a straight line. Between the ends no
+    /// derivative up to f⁗ jumps.
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         if self.slopes.is_empty() || self.points.ends == Ends::Periodic {
             return Vec::new();

@@ -1,5 +1,5 @@
-//! Rises: from 0 to a height over a length, with a dwell before and after. Those of cams and of
-//! machines that index.
+//! Rises from 0 to a height over a length, with a dwell before and after, for cams and indexing
+//! machines.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,37 +8,43 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
-    /// Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β, 0 before and h after. Its
-    /// acceleration jumps at both ends.
+    /// Returns the simple harmonic rise f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β. f is 0 before
+    /// and h after. The acceleration jumps at both ends.
     pub fn harmonic_rise(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Harmonic, height, length)
     }
 
-    /// Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π) for 0 ≤ x ≤ β, 0 before and h after.
+    /// Returns the cycloidal rise f(x) = h (x/β − sin(2π x/β)/2π) for 0 ≤ x ≤ β. f is 0 before and
+    /// h after.
     pub fn cycloidal(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Cycloidal, height, length)
     }
 
-    /// 3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, for 0 ≤ ξ ≤ 1, 0 before and
-    /// h after.
+    /// Returns the 3-4-5 polynomial rise f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵) with ξ = x/β for 0 ≤ ξ ≤
+    /// 1. f is 0 before and h after.
     pub fn polynomial_345(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Polynomial345, height, length)
     }
 
-    /// 4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, for 0 ≤ ξ ≤ 1, 0
-    /// before and h after. No derivative up to the third jumps.
+    /// Returns the 4-5-6-7 polynomial rise f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷) with ξ = x/β
+    /// for 0 ≤ ξ ≤ 1. f is 0 before and h after. No derivative up to the third jumps.
     pub fn polynomial_4567(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Polynomial4567, height, length)
     }
 
-    /// Modified sine rise: f″ is a sine of period β/2 for an eighth of β, then a cosine of period
-    /// 3β/2, then the sine again; 0 before and h after. Largest acceleration 5.528 h/β².
+    /// Returns the modified sine rise: f″ is a sine for an eighth of β, then a slower cosine, then
+    /// the sine again.
+    ///
+    /// The sine has the period β/2 and the cosine the period 3β/2. f is 0 before and h after. The
+    /// largest acceleration is 5.528 h/β².
     pub fn modified_sine(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::ModifiedSine, height, length)
     }
 
-    /// Modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine, each an
-    /// eighth of β long; 0 before and h after. Largest acceleration 4.888 h/β².
+    /// Returns the modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine.
+    ///
+    /// Each ramp is an eighth of β long. f is 0 before and h after. The largest acceleration is
+    /// 4.888 h/β².
     pub fn modified_trapezoid(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::ModifiedTrapezoid, height, length)
     }
@@ -52,7 +58,7 @@ fn rise(shape: Shape, height: impl IntoNumber, length: impl IntoNumber) -> Law {
     })
 }
 
-/// height · s(x/length)
+/// The law height · s(x/length).
 #[derive(Clone)]
 struct Rise {
     shape: Shape,
@@ -60,7 +66,7 @@ struct Rise {
     length: f64,
 }
 
-/// s(ξ) on 0..1, from 0 to 1.
+/// The shape s(ξ) of a rise on 0..1, from 0 to 1.
 #[derive(Clone, Copy)]
 enum Shape {
     Harmonic,
@@ -72,7 +78,7 @@ enum Shape {
 }
 
 impl Shape {
-    /// \[s, s′, s″, s‴, s⁗\] for 0 ≤ ξ ≤ 1.
+    /// Returns \[s, s′, s″, s‴, s⁗\] for 0 ≤ ξ ≤ 1.
     fn jet(self, x: f64) -> [f64; 5] {
         match self {
             Shape::Harmonic => {
@@ -112,7 +118,7 @@ impl Shape {
         }
     }
 
-    /// s of a function of ξ with bounds.
+    /// Returns s with bounds for a bounded ξ.
     fn over(self, x: &Series) -> Option<Series> {
         let pi = |factor: f64| Series::constant(Interval::pi(factor));
         let x = *x;
@@ -140,7 +146,7 @@ impl Shape {
         }
     }
 
-    /// The lowest derivative that jumps at the ends, if it is one of the first three.
+    /// Returns the lowest derivative that jumps at the ends, if it is one of the first three.
     fn order(self) -> Option<usize> {
         match self {
             Shape::Harmonic => Some(2),
@@ -150,7 +156,7 @@ impl Shape {
     }
 }
 
-/// A shape with s(1 − ξ) = 1 − s(ξ), from its first half.
+/// Evaluates a shape with s(1 − ξ) = 1 − s(ξ) from its first half.
 fn mirrored(x: f64, half: fn(f64) -> [f64; 5]) -> [f64; 5] {
     if x <= 0.5 {
         return half(x);
@@ -159,21 +165,21 @@ fn mirrored(x: f64, half: fn(f64) -> [f64; 5]) -> [f64; 5] {
     [1.0 - s, s1, -s2, s3, -s4]
 }
 
-/// The first eighth of both modified shapes: s″ = a sin 4πξ.
+/// Evaluates the first eighth of both modified shapes: s″ = a sin 4πξ.
 fn first_eighth(x: f64, a: f64) -> [f64; 5] {
     let w = 4.0 * PI;
     let (s, c) = (w * x).sin_cos();
     [a * (x / w - s / (w * w)), a * (1.0 - c) / w, a * s, a * w * c, -a * w * w * s]
 }
 
-/// From a point on: s″ = a cos w τ, with s and s′ there.
+/// Evaluates s″ = a cos w τ with s = s0 and s′ = v0 at τ = 0.
 fn cosine(tau: f64, a: f64, w: f64, [s0, v0]: [f64; 2]) -> [f64; 5] {
     let (s, c) = (w * tau).sin_cos();
     [s0 + v0 * tau + a * (1.0 - c) / (w * w), v0 + a * s / w, a * c, -a * w * s, -a * w * w * c]
 }
 
-/// Norton, *Cam Design and Manufacturing Handbook*: s″ = a sin 4πξ to 1/8, then a cos(4π(ξ −
-/// 1/8)/3); a = 4π²/(π + 4).
+/// Evaluates s″ = a sin 4πξ to 1/8, then a cos(4π(ξ − 1/8)/3), with a = 4π²/(π + 4). Norton, *Cam
+/// Design and Manufacturing Handbook*.
 fn modified_sine(x: f64) -> [f64; 5] {
     let a = 4.0 * PI * PI / (PI + 4.0);
     if x < 0.125 {
@@ -183,7 +189,7 @@ fn modified_sine(x: f64) -> [f64; 5] {
     cosine(x - 0.125, a, 4.0 * PI / 3.0, [s, v])
 }
 
-/// Norton: s″ = a sin 4πξ to 1/8, a to 3/8, then a cos 4π(ξ − 3/8); a = 8π/(2 + π).
+/// Evaluates s″ = a sin 4πξ to 1/8, a to 3/8, then a cos 4π(ξ − 3/8), with a = 8π/(2 + π). Norton.
 fn modified_trapezoid(x: f64) -> [f64; 5] {
     let a = 8.0 * PI / (2.0 + PI);
     if x < 0.125 {
@@ -199,7 +205,7 @@ fn modified_trapezoid(x: f64) -> [f64; 5] {
 }
 
 impl Rise {
-    /// Where in the rise x is, unless it is before or after it.
+    /// Returns the shape's jet at x, or `None` if x is before or after the rise.
     fn inside(&self, x: f64) -> Option<[f64; 5]> {
         (x >= 0.0 && x < self.length).then(|| self.shape.jet(x / self.length))
     }

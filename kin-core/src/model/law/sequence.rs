@@ -1,4 +1,4 @@
-//! Laws one after the other, and over and over.
+//! Laws one after the other, and laws that repeat.
 
 use std::sync::OnceLock;
 
@@ -8,12 +8,14 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
 
 impl Law {
-    /// Parts one after the other from x = `start` on, each for its length and with its own variable
-    /// counted from its beginning: over a part that begins at x_k the law is f_k(x − x_k). Before
-    /// the first and after the last the end values are held.
+    /// Returns a law of parts that follow each other from x = `start`, each over its length.
     ///
-    /// Parts must meet in value; a mechanism refuses a sequence that jumps. Where a derivative
-    /// jumps there is a break.
+    /// The variable of a part counts from the beginning of the part: over a part that begins at x_k
+    /// the law is f_k(x − x_k). Before the first part and after the last part the law holds the
+    /// values of the ends.
+    ///
+    /// The parts must meet in value; a mechanism returns an error for a sequence that jumps. A
+    /// derivative that jumps is a break.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -36,11 +38,11 @@ impl Law {
         })
     }
 
-    /// The part of this law over 0 ≤ x < period, over and over: the profile of a cam over one turn,
-    /// with period 2π.
+    /// Returns a law that repeats the part of this law over 0 ≤ x < period. The profile of a cam
+    /// has the period 2π.
     ///
-    /// Its ends must meet in value; a mechanism refuses a law that jumps. Where a derivative jumps
-    /// there is a break.
+    /// The ends of the period must meet in value; a mechanism returns an error for a law that
+    /// jumps. A derivative that jumps is a break.
     pub fn periodic(&self, period: impl IntoNumber) -> Law {
         Law::hanging(|to| {
             let period = to.number("period", period);
@@ -52,14 +54,14 @@ impl Law {
 #[derive(Clone)]
 struct Sequence {
     start: f64,
-    /// Lengths and laws.
+    /// The parts in order, each with its length.
     parts: Vec<(f64, Law)>,
-    /// The beginning of the first part, where two meet, and the end of the last one: looked at
-    /// once.
+    /// The start of the first part, the places where two parts meet, and the end of the last part.
+    /// They are computed once.
     seams: OnceLock<Vec<Joint>>,
 }
 
-/// One seam: where it is, what jumps there, and the values on both sides.
+/// A seam: its place, the lowest derivative that jumps there, and the values on both sides.
 #[derive(Clone, Copy)]
 struct Joint {
     x: f64,
@@ -72,7 +74,7 @@ impl Sequence {
         Sequence { start, parts, seams: OnceLock::new() }
     }
 
-    /// The seams in order: one more than there are parts.
+    /// Returns the seams in order. There is one more seam than parts.
     fn seams(&self) -> &[Joint] {
         self.seams.get_or_init(|| {
             let sizes: Vec<Sizes> =
@@ -107,14 +109,14 @@ impl Sequence {
         })
     }
 
-    /// The breaks at its seams.
+    /// Returns the breaks at the seams.
     fn joints(&self, from: f64, to: f64) -> impl Iterator<Item = Break> {
         let jump = |seam: &Joint| seam.order.map(|order| Break { x: seam.x, order });
         self.seams().iter().filter_map(jump).filter(move |found| (from..=to).contains(&found.x))
     }
 
-    /// The breaks or poles within each part between two places, by `list`: breaks at its ends are
-    /// those of the seams.
+    /// Returns the breaks or poles inside each part between two places. `list` lists those of one
+    /// part. Breaks at the ends of a part belong to the seams.
     fn own<I: IntoIterator<Item = Break>>(
         &self,
         from: f64,
@@ -133,7 +135,7 @@ impl Sequence {
         all
     }
 
-    /// Each part with its beginning and its length.
+    /// Returns each part with its start and its length.
     fn placed(&self) -> impl Iterator<Item = (f64, f64, &Law)> {
         let mut next = self.start;
         self.parts.iter().map(move |(length, law)| {
@@ -143,12 +145,14 @@ impl Sequence {
         })
     }
 
-    /// The part at x, or the value that is held. The end of the last part is its own.
+    /// Returns the part at x, or the constant value outside. The end of the last part belongs to
+    /// that part.
     fn part(&self, x: f64) -> Result<(f64, &Law), f64> {
         let mut held = f64::NAN;
         let last = self.parts.len().saturating_sub(1);
         for (k, (begin, length, law)) in self.placed().enumerate() {
-            // Before the first part: each other one begins where the one before has ended.
+            // Only the first part has x before its start; every other part begins where the part
+            // before ends.
             if x < begin {
                 return Err(law.at(0.0));
             }
@@ -225,8 +229,8 @@ impl LawFunction for Sequence {
         Some(LawRange { from: self.start, to: begin + length, beyond: Beyond::Held })
     }
 
-    /// A part may be longer than its table; beyond the last part the value is held, which is no
-    /// table's end.
+    /// A part can be longer than its table. Beyond the last part the value is held, which is no end
+    /// of a table.
     fn table_range(&self) -> Option<LawRange> {
         let mut from = f64::NEG_INFINITY;
         let mut to = f64::INFINITY;
@@ -257,7 +261,7 @@ impl LawFunction for Sequence {
                 return Some(format!("{}: {why}", number(k)));
             }
         }
-        // The first seam and the last one are those to what is held.
+        // The first and the last seam join the sequence to the constant values outside.
         let between = self.seams().iter().enumerate().take(self.parts.len()).skip(1);
         let mut said = between.filter(|(_, seam)| seam.order == Some(0)).map(|(k, seam)| {
             let (end, begin) = seam.values;
@@ -298,8 +302,8 @@ impl LawFunction for Sequence {
     }
 }
 
-/// The rest of x beyond the last whole period: 0 ≤ … < period. (Of a number just below zero
-/// `rem_euclid` alone makes the period itself, by rounding.)
+/// Returns x modulo the period, with 0 ≤ result < period. For a small negative number `rem_euclid`
+/// alone returns the period itself, because it rounds.
 pub(super) fn within(x: f64, period: f64) -> f64 {
     let rest = x.rem_euclid(period);
     if rest >= period { 0.0 } else { rest }
@@ -309,7 +313,8 @@ pub(super) fn within(x: f64, period: f64) -> f64 {
 struct Periodic {
     law: Law,
     period: f64,
-    /// Where the end of a period meets the next one: what jumps, and the value that it ends with.
+    /// The seam between the end of a period and the next period: the lowest derivative that jumps,
+    /// and the value at the end. It is computed once.
     seam: OnceLock<(Option<usize>, f64)>,
 }
 
@@ -323,7 +328,7 @@ impl Periodic {
         })
     }
 
-    /// The breaks of the first period.
+    /// Returns the breaks of the first period.
     fn one(&self) -> Vec<Break> {
         let mut one = self.law.breaks(0.0, self.period);
         one.retain(|b| b.x > 1e-14 * self.period && b.x < self.period * (1.0 - 1e-14));
@@ -342,7 +347,7 @@ impl LawFunction for Periodic {
     }
 
     fn description(&self) -> &str {
-        "The part of a law over one period, over and over."
+        "A law that repeats its first period over and over."
     }
 
     fn trusted(&self) -> Vec<String> {

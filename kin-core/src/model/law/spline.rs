@@ -12,19 +12,19 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// A cubic spline through the points (x, y), x increasing, at least two (three to be periodic):
-    /// C² between the ends.
+    /// Returns a cubic spline through the points (x, y), which is C² between the ends.
     ///
-    /// A table that does not increase, or does not repeat though it should, is refused where a
-    /// mechanism is to use the law.
+    /// x must increase. The table needs at least two points, or three with [`Ends::Periodic`]. A
+    /// mechanism returns an error for a table that does not increase, or for a periodic table with
+    /// different ends.
     pub fn spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
         Law::hanging(|to| Spline::new(Points::new(table, ends, to)))
     }
 
-    /// A cubic spline through the first two columns of a CSV file; a first line that is no numbers
-    /// is a header.
+    /// Returns a cubic spline through the first two columns of a CSV file. A first line without
+    /// numbers is a header.
     ///
-    /// Errors: a file that cannot be read, a line without two numbers, a table that does not
+    /// Errors: a file that Kin cannot read, a line without two numbers, a table that does not
     /// increase.
     pub fn spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
         points::from_csv(path.as_ref(), |table| Law::spline(table, ends))
@@ -34,13 +34,13 @@ impl Law {
 #[derive(Clone)]
 struct Spline {
     points: Points,
-    /// f″ at each x; empty for a table that is refused.
+    /// f″ at each x. The list is empty if the table is refused.
     curvature: Vec<f64>,
-    /// How far these can be from what is meant.
+    /// A bound of the error of these curvatures.
     error: f64,
 }
 
-/// A spline can be read as its points.
+/// A spline dereferences to its points.
 impl Deref for Spline {
     type Target = Points;
 
@@ -59,8 +59,8 @@ impl Spline {
         spline
     }
 
-    /// f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k + h_k
-    /// m_(k+1))/6 = s_k − s_(k−1).
+    /// Solves for f″ at the knots, from continuity of f′: (h_(k−1) m_(k−1) + 2 (h_(k−1) + h_k) m_k
+    /// + h_k m_(k+1))/6 = s_k − s_(k−1).
     fn curvatures(&self) -> Vec<f64> {
         let last = self.table.len() - 1;
         let mut rows = vec![[0.0, 1.0, 0.0, 0.0]; last + 1];
@@ -90,7 +90,7 @@ impl Spline {
         }
     }
 
-    /// Over interval k, at x.
+    /// Returns the jet at x over interval k.
     fn inside(&self, k: usize, x: f64) -> [f64; 4] {
         let (h, slope) = self.interval(k);
         let m0 = self.curvature[k];
@@ -106,9 +106,9 @@ impl Spline {
         ]
     }
 
-    /// How far the curvatures can be from the solution of their equations. The diagonals exceed the
-    /// rest of their rows, so no curvature is off by more than the largest of what a row is missed
-    /// by, over what its diagonal exceeds the rest by.
+    /// Bounds the distance of the curvatures from the exact solution of their equations. The rows
+    /// are diagonally dominant: the error is at most the largest residual divided by the excess of
+    /// the diagonal over the rest of its row.
     fn curvature_error(&self) -> f64 {
         let last = self.table.len() - 1;
         let number = |x: f64| Interval::from(x);
@@ -142,8 +142,8 @@ impl Spline {
         (0..=last).map(|k| missed(k).mag()).fold(0.0, f64::max)
     }
 
-    /// The polynomial of interval k, with bounds. The curvatures are those that a rounded
-    /// elimination has found: what is meant is near them.
+    /// Returns the polynomial of interval k with bounds. The curvatures come from a rounded
+    /// elimination, so the bounds include their error.
     fn cubic(&self, k: usize, x: &Series) -> Series {
         let number = |x: f64| Interval::from(x);
         let [m0, m1] = [k, k + 1].map(|k| number(self.curvature[k]) + Interval::ball(self.error));
@@ -158,12 +158,12 @@ impl Spline {
             + t * (Series::constant(v) + t * (Series::constant(half) + t * Series::constant(third)))
     }
 
-    /// The line with the first two coefficients of an end, t from there.
+    /// Returns the straight line with the first two coefficients of an end. t counts from that end.
     fn line(&self, end: Series, t: &Series) -> Series {
         Series::constant(end.at(0)) + *t * Series::constant(end.at(1))
     }
 
-    /// Third derivative right of knot k.
+    /// Returns the third derivative right of knot k.
     fn third(&self, k: usize) -> f64 {
         let outside = k + 1 == self.table.len() && self.ends != Ends::Periodic;
         let k = k % (self.table.len() - 1);
@@ -171,7 +171,7 @@ impl Spline {
     }
 }
 
-/// Solves rows \[below, diagonal, above, right side\], dominated by their diagonals.
+/// Solves diagonally dominant rows \[below, diagonal, above, right side\].
 fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     for k in 1..rows.len() {
         let [below, diagonal, above, right] = rows[k];
@@ -187,8 +187,8 @@ fn tridiagonal(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     m
 }
 
-/// The same where the first row's `below` is the last column and the last row's `above` the first
-/// (Sherman and Morrison).
+/// Solves such rows for a closed spline: `below` of the first row belongs to the last column,
+/// `above` of the last row to the first column (Sherman and Morrison).
 fn cyclic(mut rows: Vec<[f64; 4]>) -> Vec<f64> {
     let last = rows.len() - 1;
     let corner = rows[0][0];
@@ -332,7 +332,8 @@ impl LawFunction for Spline {
         self.points.parameters(visit);
     }
 
-    /// The spline is linear in its y and its slopes at the ends: that of this y alone.
+    /// The spline is linear in its y and its slopes at the ends, so the derivative by one y is the
+    /// spline of that y alone.
     fn by_parameter(&self, name: &str) -> Option<Law> {
         let table = self.table.iter().map(|(x, _)| (*x, 0.0)).collect();
         let ends = match self.ends {

@@ -1,4 +1,4 @@
-//! Lengths and angles that forces act along, and forces by them.
+//! Lengths and angles along which forces act, and forces that depend on them.
 
 use std::sync::Arc;
 
@@ -6,22 +6,24 @@ use crate::model::constraint::Constraint;
 use crate::model::mechanism::IntoConstraint;
 use crate::model::terms::Local;
 
-/// A length or an angle x that a force acts along; made by [`IntoAlong`].
+/// A length or an angle x along which a force acts. [`IntoAlong`] makes it.
 #[derive(Clone)]
 pub struct Along(pub(crate) Line);
 
-/// Kinds of them.
+/// The kinds of lengths and angles.
 #[derive(Clone)]
 pub(crate) enum Line {
-    /// x(q, t) is the row of a constraint.
+    /// The value of x(q, t) is the row of a constraint.
     Row(Box<dyn Constraint>),
     /// A measure of a joint, or a coordinate, by its name.
     Named(String),
 }
 
-/// A length or an angle x to act along: any constraint of one row, whose value it is, or the name
-/// of a measure of a joint or of a coordinate (`"guide.slide"`, `"crank.theta"`), as
-/// [`crate::System::measures`] lists them.
+/// A length or an angle x along which a force can act.
+///
+/// It is either a constraint of one row, whose value is x, or the name of a measure of a joint or
+/// of a coordinate (`"guide.slide"`, `"crank.theta"`). [`crate::System::measures`] lists these
+/// names.
 ///
 /// ```
 /// # use kin::prelude::*;
@@ -42,7 +44,7 @@ pub(crate) enum Line {
     note = "lengths and angles are in `kin::loads` (`length`, `turn`, `slide`); a measure is `\"guide.slide\"`"
 )]
 pub trait IntoAlong {
-    /// The length or angle.
+    /// Returns the length or angle.
     #[doc(hidden)]
     fn into_along(self) -> Along;
 }
@@ -86,17 +88,17 @@ impl std::fmt::Debug for Along {
     }
 }
 
-/// f(x, ẋ, t) along a length or an angle x.
+/// A force f(x, ẋ, t) along a length or an angle x.
 #[derive(Clone)]
 pub(crate) enum ForceAlong {
-    /// A closure, which only the program knows.
+    /// A closure of the program, whose formula Kin does not know.
     Closure(Arc<dyn Fn(f64, f64, f64) -> f64 + Send + Sync>),
-    /// A function under `#[force]`: the row of a constraint on x and ẋ.
+    /// A function with `#[force]`: the row of a constraint on x and ẋ.
     Written(Box<dyn Constraint>),
 }
 
 impl ForceAlong {
-    /// Its value.
+    /// Returns the value of the force.
     pub(crate) fn at(&self, x: f64, rate: f64, t: f64) -> f64 {
         match self {
             ForceAlong::Closure(force) => force(x, rate, t),

@@ -1,14 +1,15 @@
-//! Inertia that no body can have.
+//! Checks that a mass and an inertia are physically possible.
 
 use super::Solid;
 
-/// Entries across the diagonal may differ by this share of the largest one, and principal moments
-/// miss the triangle inequality by it: numbers out of drawings are rounded.   \[-\]
+/// The relative error that an inertia may have: entries across the diagonal may differ by this
+/// share of the largest entry, and principal moments may violate the triangle inequality by it.
+/// Numbers from drawings are rounded. \[-\]
 const ROUNDED: f64 = 1e-9;
 
 impl Solid {
-    /// The reason why no body has this mass and this inertia, if so. In a plane only the moment
-    /// about z counts.
+    /// Returns the reason why no body can have this mass and this inertia, if there is one. In a
+    /// plane only the moment about z counts.
     pub(crate) fn refusal(&self, planar: bool) -> Option<String> {
         let [x, y, z] = self.centre.to_array();
         let rows = self.inertia.to_array();
@@ -29,7 +30,7 @@ impl Solid {
         self.impossible(&rows)
     }
 
-    /// The same of a finite tensor.
+    /// Returns the reason why no body can have this finite tensor, if there is one.
     fn impossible(&self, rows: &[[f64; 3]; 3]) -> Option<String> {
         let largest = rows.iter().flatten().fold(0.0_f64, |m, x| m.max(x.abs()));
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {

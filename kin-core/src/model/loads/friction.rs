@@ -1,4 +1,4 @@
-//! Dry friction in pins and slides: what is given of it, and where in a joint it acts.
+//! Dry friction in pins and slides: its numbers, and where in a joint it acts.
 
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::coordinates::Target;
@@ -7,35 +7,39 @@ use crate::model::dimension::{Dimension, IntoNumber};
 use crate::model::error::Error;
 use crate::numbers::algebra::{Vec3, vec3};
 
-/// Dry friction in a joint, from the forces that the joint holds: their sum of magnitudes times μ,
-/// against the slip v as tanh(v/v₀). Well above v₀ it is Coulomb's; at rest it holds nothing.
+/// Dry friction in a joint: μ times the sum of the contact forces, times tanh(v/v₀) against the
+/// slip v.
 ///
-/// * In a pin of radius r: the torque μ r F tanh(ω/ω₀), F the force across its axis. In space a pin
-///   with [`Friction::length`] holds bending too, as a pair of forces at the ends of its bearing.
-/// * In a slide whose guide has length L and width b: the force F across the slide and the moment M
-///   about the joint's point are held at both ends of the guide, at ± L/2 from the point P_i with
-///   which body i moves: N₁,₂ = F/2 ± M/L. Friction is μ (|N₁| + |N₂|) tanh(v/v₀) along the slide,
-///   at the side of the guide that is pressed, b/2 off its line. In space the torque T about the
+/// If v is well above v₀, this is Coulomb friction; at rest the friction is zero. Kin computes the
+/// contact forces from the reaction of the joint:
+///
+/// * In a pin of radius r the torque is μ r F tanh(ω/ω₀). F is the force across the axis. In space
+///   a pin with [`Friction::length`] also holds bending, as a pair of forces at the ends of its
+///   bearing.
+/// * In a slide with a guide of length L and width b the reaction is the force F across the slide
+///   and the moment M about the joint's point. The guide holds both at its ends, at ± L/2 from the
+///   point P_i of body i: N₁,₂ = F/2 ± M/L. The friction μ (|N₁| + |N₂|) tanh(v/v₀) acts along the
+///   slide on the pressed side of the guide, b/2 off its line. In space the torque T about the
 ///   slide is held across the width and adds 2 |T|/b.
 ///
-/// These are Coulomb's law at each place of contact. A block that is pushed along its guide, but
-/// off its line by a, holds at its ends ± P a/L against a push P: it needs P = load/(1 − 2 μ a/L),
-/// and jams where a ≥ L/(2 μ).
+/// Each place of contact follows Coulomb's law. If a push P moves a block along its guide, but off
+/// its line by a, the ends of the guide hold ± P a/L. The push must then be
+/// P = load/(1 − 2 μ a/L), and the block jams where a ≥ L/(2 μ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
-    /// μ.
+    /// μ, the coefficient of friction.
     pub(crate) coefficient: f64,
-    /// ω₀ or v₀.
+    /// ω₀ of a pin or v₀ of a slide.
     pub(crate) rate: f64,
     pub(crate) shape: Shape,
-    /// The numbers as they were given, in the order of their names.
+    /// The given numbers, in the order of their names.
     given: [Dimension; 4],
 }
 
-/// The shape of what rubs.
+/// The geometry of the contact.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Shape {
-    /// A length of 0 is none: the bearing is short.
+    /// A length of 0 means a short bearing, which holds no bending.
     Pin {
         radius: f64,
         length: f64,
@@ -47,7 +51,7 @@ pub(crate) enum Shape {
 }
 
 impl Shape {
-    /// Names of its numbers.
+    /// Returns the names of the numbers of this shape.
     pub(super) fn names(&self) -> [&'static str; 2] {
         match self {
             Shape::Pin { .. } => ["radius", "length"],
@@ -64,8 +68,10 @@ impl Shape {
 }
 
 impl Friction {
-    /// In a pin: the coefficient μ, the radius r, and the rate ω₀ at which friction has three
-    /// quarters of its full size. Each of them is a number or a [`Dimension`].   \[-, m, rad/s\]
+    /// Creates the friction of a pin with the coefficient μ, the radius r and the angular velocity
+    /// ω₀. \[-, m, rad/s\]
+    ///
+    /// At ω₀ the friction has three quarters of its full size. Each number may be a [`Dimension`].
     pub fn pin(
         coefficient: impl IntoNumber,
         radius: impl IntoNumber,
@@ -84,14 +90,16 @@ impl Friction {
         Friction { coefficient, rate, shape, given }
     }
 
-    /// The numbers as they were given, by their names.
+    /// Returns the given numbers with their names.
     pub(crate) fn given(&self) -> impl Iterator<Item = (&'static str, Dimension)> {
         self.names().into_iter().zip(self.given)
     }
 
-    /// In a slide: the coefficient μ, length L and width b of the guide, and the rate v₀ at which
-    /// friction has three quarters of its full size. The guide's ends move with body i of the
-    /// joint: a block in a long guide is body i, and so is the bush on a rod.   \[-, m, m, m/s\]
+    /// Creates the friction of a slide with the coefficient μ, the length L and the width b of its
+    /// guide, and the velocity v₀. \[-, m, m, m/s\]
+    ///
+    /// At v₀ the friction has three quarters of its full size. The ends of the guide move with body
+    /// i of the joint. Body i is thus a block in a long guide, or the bush on a rod.
     pub fn slide(
         coefficient: impl IntoNumber,
         [length, width]: [impl IntoNumber; 2],
@@ -102,8 +110,8 @@ impl Friction {
         Friction::of(none, [coefficient, rate, length.into_number(), width.into_number()])
     }
 
-    /// The same of a pin whose bearing is so long that it holds bending: by forces at its two ends.
-    /// In a plane nothing bends it.   \[m\]
+    /// Gives the pin a bearing of this length, which holds bending by forces at its two ends. In a
+    /// plane there is no bending. \[m\]
     #[must_use]
     pub fn length(self, bearing: impl IntoNumber) -> Friction {
         let place = if matches!(self.shape, Shape::Pin { .. }) { 3 } else { 2 };
@@ -112,7 +120,7 @@ impl Friction {
         Friction::of(self.shape, given)
     }
 
-    /// The reason why these numbers make no sense, if so.
+    /// Returns the reason why these numbers are invalid, if there is one.
     fn refusal(&self) -> Option<String> {
         let at_least_zero = |what: &str, x: f64| {
             (!(x.is_finite() && x >= 0.0))
@@ -133,8 +141,8 @@ impl Friction {
             .or_else(|| above_zero(rate, self.rate))
     }
 
-    /// Where it acts in a joint of this name. Errors: numbers that make no sense, a joint that has
-    /// no such friction, by its name.
+    /// Returns where the friction acts in a joint. Errors: invalid numbers, or a joint that cannot
+    /// have this friction; the error names the joint.
     pub(crate) fn seat_in(&self, name: &str, joint: &dyn Constraint) -> crate::Result<Seat> {
         let told = |reason| Error::InvalidParameters {
             constraint: name.to_string(),
@@ -175,30 +183,30 @@ impl Friction {
     }
 }
 
-/// True of a joint of the library: a function of the user's may have its name, and means something
-/// else by its parameters.
+/// Returns true for a joint of the library. A user-defined function may have the same name with
+/// other parameters.
 fn is_of_library(joint: &dyn Constraint) -> bool {
     let mut described = Describer::default();
     joint.describe(&mut described);
     described.refusal.is_none() && described.equation().is_none() && described.lacking().is_empty()
 }
 
-/// The place of friction in a joint of two bodies.
+/// The place of the friction in a joint of two bodies.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Seat {
     /// Bodies i and j.
     pub bodies: [Target; 2],
     /// ū_i of the joint's point.
     pub point: Vec3,
-    /// The axis of the pin or the way of the slide, of length 1, in the axes of body `axis_of`.
+    /// The unit vector of the pin's axis or of the slide, in the axes of body `axis_of`.
     pub axis: Vec3,
     pub axis_of: usize,
-    /// True if the joint keeps body i from turning about the axis.
+    /// True if the joint prevents body i from rotating about the axis.
     pub holds_turn: bool,
 }
 
 impl Seat {
-    /// Of a joint of the library, by its parameters and directions.
+    /// Returns the seat of a joint of the library, from its parameters and directions.
     fn of(joint: &dyn Constraint, pin: bool) -> Option<Seat> {
         let arguments = joint.arguments();
         let [i, j] = arguments.as_slice() else { return None };
@@ -225,7 +233,8 @@ impl Seat {
                 (across.first()?.cross(*across.get(1)?), 0)
             }
             _ if pin => (z, 0),
-            // The joint has the direction across: of y to its left the slide is along x.
+            // `prismatic` gives the direction across the slide. If that direction is y, the slide
+            // is along x.
             "prismatic" => (vector("h_i")?.cross(z), 0),
             "point_on_line" => (vector("h_j")?, 1),
             _ => (vector("b_j")? - vector("a_j")?, 1),

@@ -1,4 +1,4 @@
-//! Loads: what acts on a mechanism beside weight.
+//! Loads: everything except weight that acts on a mechanism.
 
 use std::sync::Arc;
 
@@ -9,25 +9,24 @@ use crate::model::coordinates::Target;
 use crate::model::dimension::{Bindings, Dimension, IntoVector};
 use crate::model::law::Law;
 
-/// Something that acts: an energy, a force along a length or an angle, a force and a torque on a
-/// body.
+/// A load: an energy, a force along a length or an angle, or a force and a torque on a body.
 #[derive(Clone)]
 pub struct Load(pub(crate) Acting);
 
-/// Kinds of loads.
+/// The kinds of loads.
 #[derive(Clone)]
 pub(crate) enum Acting {
-    /// Q = −V_qᵀ of an energy V(q, t), the row of a constraint.
+    /// The generalised forces Q = −V_qᵀ of an energy V(q, t), which is the row of a constraint.
     Potential(Box<dyn Constraint>),
-    /// Q = f(x, ẋ, t) x_qᵀ of a length or an angle x(q, t).
+    /// The generalised forces Q = f(x, ẋ, t) x_qᵀ of a force along a length or an angle x(q, t).
     Along(Along, ForceAlong),
     /// A force and a torque on a body.
     OnBody(Box<OnBody>),
-    /// Several under one name.
+    /// Several loads under one name.
     Sum(Vec<Load>),
 }
 
-/// A force at a point of a body, and a torque, by laws of time.
+/// A force at a point of a body, and a torque, both by laws of time.
 #[derive(Clone)]
 pub(crate) struct OnBody {
     pub target: Target,
@@ -35,21 +34,21 @@ pub(crate) struct OnBody {
     pub point: [f64; 3],
     pub force: [Law; 3],
     pub torque: [Law; 3],
-    /// True if components are in the body's axes.
+    /// True if the components are in the axes of the body.
     pub fixed: bool,
-    /// The numbers of the point that hang on dimensions; laws know their own.
+    /// The components of the point that depend on dimensions. Laws record theirs separately.
     pub hung: Bindings,
 }
 
 impl OnBody {
-    /// One that does nothing yet, at a point of a body.
+    /// Creates a load of zero at a point of a body.
     pub(crate) fn new<B: Body>(body: B, u: [Dimension; 3], fixed: bool) -> OnBody {
         let mut on = OnBody::on(body.target(), fixed);
         on.at(u);
         on
     }
 
-    /// One that does nothing yet, at the origin of a body.
+    /// Creates a load of zero at the origin of a body.
     pub(crate) fn on(target: Target, fixed: bool) -> OnBody {
         let none = || [(); 3].map(|()| Law::constant(0.0));
         OnBody {
@@ -62,12 +61,12 @@ impl OnBody {
         }
     }
 
-    /// Another point of the body.
+    /// Moves the load to another point of the body.
     pub(crate) fn at(&mut self, u: [Dimension; 3]) {
         self.point = self.hung.vector("point", u);
     }
 
-    /// The numbers that hang on dimensions, by their names.
+    /// Removes and returns the numbers that depend on dimensions, with their names.
     fn take_bindings(&mut self) -> Vec<(String, Dimension)> {
         let mut hung = std::mem::take(&mut self.hung);
         for (of, laws) in [("force", &self.force), ("torque", &self.torque)] {
@@ -80,7 +79,7 @@ impl OnBody {
 }
 
 impl Acting {
-    /// The energy, length or angle, or the force along that.
+    /// Returns the energy, length or angle, or the force along that length or angle.
     pub(crate) fn constraint(&self, is_force: bool) -> Option<&dyn Constraint> {
         match self {
             Acting::Potential(scalar) | Acting::Along(Along(Line::Row(scalar)), _) if !is_force => {
@@ -92,22 +91,24 @@ impl Acting {
     }
 }
 
-/// The part of a part of a load that has numbers of its own.
+/// A part of a load that holds numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Holding {
     /// An energy, a length or an angle.
     Scalar,
-    /// The force along it.
+    /// The force along the length or angle.
     Force,
     /// A force and torque on a body.
     OnBody,
 }
 
-/// A number of a load that hangs on dimensions: in which part it stands, by its name there.
+/// A number of a load that depends on dimensions: the index of its part, the kind of place, its
+/// name and its value.
 pub(crate) type HungInLoad = (usize, Holding, String, Dimension);
 
-/// A constraint of one row that is an energy V(q, t), and no equation: a function with
-/// `#[potential]`. Its generalised forces are −V_qᵀ.
+/// An energy V(q, t), written as a function with `#[potential]`. Its generalised forces are −V_qᵀ.
+///
+/// A potential is a constraint of one row, but not an equation of the mechanism.
 ///
 /// ```
 /// # use kin::prelude::*;
@@ -132,14 +133,14 @@ pub(crate) type HungInLoad = (usize, Holding, String, Dimension);
 )]
 pub trait Potential: Constraint + 'static {}
 
-/// Anything that acts: a [`Load`], or an energy.
+/// A value that acts on a mechanism: a [`Load`] or an energy.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no load",
     label = "a mechanism's loads are energies (functions with `#[potential]`) and a `Load`",
     note = "a constraint is added by `m.add(…)`"
 )]
 pub trait IntoLoad {
-    /// The load.
+    /// Returns the load.
     #[doc(hidden)]
     fn into_load(self) -> Load;
 }
@@ -157,12 +158,13 @@ impl<T: Potential> IntoLoad for T {
 }
 
 impl Load {
-    /// A force along a length or an angle x(q, t): `x` is any constraint of one row, whose value it
-    /// is, or the name of a measure of a joint or of a coordinate, and f(x, ẋ, t) pushes the way x
-    /// grows: Q = f x_qᵀ. A force where x is a length, a torque where it is an angle.   \[N, N m\]
+    /// Creates a force or torque f(x, ẋ, t) along a length or an angle x(q, t): Q = f x_qᵀ. \[N, N
+    /// m\]
     ///
-    /// An angle of a joint is counted over any number of turns along the motion, as
-    /// [`crate::System::measure`] counts it.
+    /// `x` is a constraint of one row, or the name of a measure of a joint or of a coordinate. A
+    /// positive f makes x grow. f is a force if x is a length, and a torque if x is an angle.
+    ///
+    /// The angle of a joint counts revolutions along the motion, as in [`crate::System::measure`].
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -190,14 +192,15 @@ impl Load {
         Load(Acting::Along(x.into_along(), ForceAlong::Closure(Arc::new(force))))
     }
 
-    /// The same by a function under `#[force]`, which calls this.
+    /// Creates a force along `x` from a function with `#[force]`. The macro calls this function.
     #[doc(hidden)]
     pub fn written(x: impl IntoAlong, force: impl Constraint + 'static) -> Load {
         Load(Acting::Along(x.into_along(), ForceAlong::Written(Box::new(force))))
     }
 
-    /// A force at the point ū of a body, in global components: a vector, or a law of time for each
-    /// component.   \[N, m\]
+    /// Creates a force at the point ū of a body, in global components. \[N, m\]
+    ///
+    /// The force is a vector, or one law of time for each component.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -222,7 +225,7 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
 
-    /// The same in the axes of the body, with which the force turns.   \[N, m\]
+    /// Creates a force in the axes of the body; its direction rotates with the body. \[N, m\]
     pub fn force_in_body<B: Body>(
         body: B,
         u: impl IntoVector<B::Vector>,
@@ -242,7 +245,7 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))
     }
 
-    /// The same in the axes of the body.   \[N m\]
+    /// Creates a torque in the axes of the body. \[N m\]
     pub fn torque_in_body<B: Body>(
         body: B,
         torque: impl ByLaws<<B::Vector as HasTorque>::Torque>,
@@ -254,7 +257,7 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))
     }
 
-    /// Both under one name, such as a spring and the damper in it.
+    /// Combines two loads under one name, such as a spring and its damper.
     #[must_use]
     pub fn and(self, other: impl IntoLoad) -> Load {
         let mut all = match self.0 {
@@ -265,7 +268,7 @@ impl Load {
         Load(Acting::Sum(all))
     }
 
-    /// Part `part` of those that are no sums.
+    /// Returns part `part`, counted over the parts that are not sums.
     pub(crate) fn part(&self, part: usize) -> Option<&Acting> {
         let mut number = 0;
         let mut found = None;
@@ -276,7 +279,7 @@ impl Load {
         found
     }
 
-    /// The same, to be changed.
+    /// Returns part `part`, mutable.
     pub(super) fn part_mut(&mut self, part: usize) -> Option<&mut Acting> {
         self.parts_mut().into_iter().nth(part)
     }
@@ -288,7 +291,7 @@ impl Load {
         }
     }
 
-    /// The numbers of its parts that hang on dimensions, which are then no longer noted there.
+    /// Removes and returns the numbers of all parts that depend on dimensions.
     pub(crate) fn take_bindings(&mut self) -> Vec<HungInLoad> {
         let mut all = Vec::new();
         for (part, acting) in self.parts_mut().into_iter().enumerate() {
@@ -312,7 +315,7 @@ impl Load {
         all
     }
 
-    /// Its parts that are no sums.
+    /// Visits the parts that are not sums.
     pub(crate) fn parts<'a>(&'a self, visit: &mut dyn FnMut(&'a Acting)) {
         match &self.0 {
             Acting::Sum(all) => all.iter().for_each(|part| part.parts(visit)),

@@ -1,5 +1,4 @@
-//! Masses of bodies, gravity, and what else acts on a mechanism: described here, computed in
-//! `forces/`.
+//! Describes masses, gravity and loads. The room `forces/` computes with them.
 
 mod along;
 mod check;
@@ -23,22 +22,22 @@ pub use torque::{ByLaws, HasTorque};
 
 use crate::model::constraint::Constraint;
 
-/// Everything that has mass, and everything that acts.
+/// The masses and loads of a mechanism.
 #[derive(Clone, Default)]
 pub(crate) struct Loads {
-    /// Bodies by the number of their item in the layout.
+    /// Masses of bodies, each with the index of its item in the layout.
     pub solids: Vec<(usize, Solid)>,
-    /// Points with mass, each with its name: the point as rows of a constraint.
+    /// Masses at points: the name, the point as the rows of a constraint, and the mass.
     pub points: Vec<(String, Box<dyn Constraint>, f64)>,
-    /// Acceleration of gravity; the third component is zero in a plane.
+    /// Acceleration of gravity; in a plane the third component is zero.
     pub gravity: [f64; 3],
     pub loads: Vec<(String, Load)>,
-    /// Friction by the names of joints.
+    /// Friction, with the name of its joint.
     pub frictions: Vec<(String, Friction)>,
 }
 
 impl Loads {
-    /// True if nothing has mass and nothing acts.
+    /// Returns true if there is no mass and no load.
     pub(crate) fn is_empty(&self) -> bool {
         self.solids.is_empty() && self.points.is_empty() && self.loads.is_empty()
     }

@@ -1,5 +1,4 @@
-//! The numbers of what has mass and acts: set by their names, and looked at for whether they make
-//! sense.
+//! Sets the numbers of masses and loads by their names, and checks them.
 
 use super::{Acting, Along, ForceAlong, Friction, Line, Loads, OnBody, Solid};
 use crate::model::constraint::Constraint;
@@ -8,7 +7,7 @@ use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 
 impl Loads {
-    /// The name and the constraint that is no equation.
+    /// Returns the name and the constraint of a mass or load.
     pub(crate) fn held(&self, by: Holder) -> Option<(&str, &dyn Constraint)> {
         match by {
             Holder::Constraint(_) => None,
@@ -23,7 +22,7 @@ impl Loads {
         }
     }
 
-    /// The same, to be changed.
+    /// Returns the constraint of a mass or load, mutable.
     pub(crate) fn held_mut(&mut self, by: Holder) -> Option<&mut Box<dyn Constraint>> {
         match by {
             Holder::Constraint(_) => None,
@@ -41,7 +40,7 @@ impl Loads {
         }
     }
 
-    /// Sets a number by its name; false if there is none of that name.
+    /// Sets a number by its name. Returns false if there is no number with this name.
     pub(crate) fn put(&mut self, of: &Beside, name: &str, value: f64) -> bool {
         match of {
             Beside::Solid(item) => {
@@ -74,7 +73,7 @@ impl Solid {
             "centre.x" => vec![&mut self.centre.x],
             "centre.y" => vec![&mut self.centre.y],
             "centre.z" => vec![&mut self.centre.z],
-            // The moment of a body in a plane.
+            // In a plane the name `inertia` means the moment about z.
             "inertia" => vec![&mut j.m11, &mut j.m22, &mut j.m33],
             "inertia.m11" => vec![&mut j.m11],
             "inertia.m12" => vec![&mut j.m12],
@@ -91,7 +90,7 @@ impl Solid {
         true
     }
 
-    /// Errors: a mass or an inertia that no body can have.
+    /// Returns an error for a mass or an inertia that no body can have.
     pub(crate) fn sensible(&self, body: &str, planar: bool) -> Result<()> {
         self.refusal(planar).map_or(Ok(()), |reason| Err(senseless(body, "mass", &reason)))
     }
@@ -114,7 +113,7 @@ impl OnBody {
         law.is_some_and(|law| law.set_parameter(own, value))
     }
 
-    /// Errors: a point that is not finite, laws that make no sense.
+    /// Returns an error for a point that is not finite, or for invalid laws.
     pub(crate) fn sensible(&self, load: &str) -> Result<()> {
         if let Some(bad) = self.point.iter().find(|x| !x.is_finite()) {
             return Err(senseless(load, "load", &format!("a coordinate of its point is {bad}")));
@@ -127,7 +126,7 @@ impl OnBody {
 }
 
 impl Friction {
-    /// The names of its numbers, in their order.
+    /// Returns the names of the numbers, in their order.
     pub(crate) fn names(&self) -> [&'static str; 4] {
         let [a, b] = self.shape.names();
         ["coefficient", "rate", a, b]
@@ -143,14 +142,14 @@ impl Friction {
 
 const COMPONENTS: [&str; 3] = ["x", "y", "z"];
 
-/// Sets component `name` of the vector that is called `of`.
+/// Sets component `name` of the vector with the name `of`.
 fn put_component(vector: &mut [f64; 3], of: &str, name: &str, value: f64) -> bool {
     let own = name.strip_prefix(of).and_then(|rest| rest.strip_prefix('.'));
     let place = own.and_then(|own| COMPONENTS.iter().position(|known| *known == own));
     place.map(|k| vector[k] = value).is_some()
 }
 
-/// Errors: a mass that is not above zero.
+/// Returns an error for a mass that is not positive.
 pub(crate) fn sensible_point_mass(name: &str, mass: f64) -> Result<()> {
     match mass.is_finite() && mass > 0.0 {
         true => Ok(()),
@@ -162,7 +161,7 @@ pub(crate) fn sensible_point_mass(name: &str, mass: f64) -> Result<()> {
     }
 }
 
-/// Errors: a component that is not finite.
+/// Returns an error for a component that is not finite.
 pub(crate) fn sensible_gravity(gravity: &[f64; 3]) -> Result<()> {
     match gravity.iter().find(|g| !g.is_finite()) {
         Some(bad) => Err(senseless(
@@ -174,7 +173,7 @@ pub(crate) fn sensible_gravity(gravity: &[f64; 3]) -> Result<()> {
     }
 }
 
-/// The error for numbers of something that make no sense.
+/// Builds the error for invalid numbers.
 pub(crate) fn senseless(name: &str, kind: &str, reason: &str) -> Error {
     let constraint = name.to_string();
     let kind = kind.to_string();

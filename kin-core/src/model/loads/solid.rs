@@ -1,12 +1,13 @@
-//! Mass, centre and inertia of a body: by numbers, or of a shape and a density.
+//! Mass, centre of mass and inertia of a body, from numbers or from shapes and a density.
 
 use crate::model::body::Body;
 use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
 use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 
-/// Mass, centre of mass and inertia of a body. Shapes are made of their sizes and their density,
-/// are placed by [`Solid::at`] and [`Solid::turned`], and are put together by [`Solid::and`] and
-/// [`Solid::without`]:
+/// Mass, centre of mass and inertia of a body.
+///
+/// A shape is created from its sizes and its density. [`Solid::at`] and [`Solid::turned`] place a
+/// shape; [`Solid::and`] and [`Solid::without`] combine shapes:
 ///
 /// ```
 /// use kin::loads::Solid;
@@ -19,23 +20,23 @@ use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Solid {
-    /// m   \[kg\]
+    /// The mass m. \[kg\]
     pub mass: f64,
-    /// c̄, the centre of mass in the body's frame; z does not count in a plane.   \[m\]
+    /// The centre of mass c̄ in the frame of the body; z does not count in a plane. \[m\]
     pub centre: Vec3,
-    /// J, the inertia about the centre of mass in the body's axes, products with the sign of J = ∫
-    /// (r² I − r rᵀ) dm; in a plane J_zz alone counts.   \[kg m²\]
+    /// The inertia J = ∫ (r² I − r rᵀ) dm about the centre of mass, in the axes of the body. In a
+    /// plane only J_zz counts. \[kg m²\]
     pub inertia: Mat3,
 }
 
 impl Solid {
-    /// Density of steel, in kilogram and metre.   \[kg/m³\]
+    /// The density of steel, for kilograms and metres. \[kg/m³\]
     pub const STEEL: f64 = 7850.0;
-    /// Density of aluminium, in kilogram and metre.   \[kg/m³\]
+    /// The density of aluminium, for kilograms and metres. \[kg/m³\]
     pub const ALUMINIUM: f64 = 2700.0;
 
-    /// A box of these sizes along x, y and z, its centre at the origin: J_xx = m (b² +
-    /// c²)/12.   \[m, kg/m³\]
+    /// Creates a box with these sizes along x, y and z and its centre at the origin: J_xx = m (b² +
+    /// c²)/12. \[m, kg/m³\]
     pub fn cuboid(a: f64, b: f64, c: f64, density: f64) -> Solid {
         let mass = density * a * b * c;
         let share = mass / 12.0;
@@ -45,34 +46,39 @@ impl Solid {
         )
     }
 
-    /// A bar along x, its centre at the origin, where the frame of a link is: `length` along x,
-    /// `height` along y, `width` along z.   \[m, kg/m³\]
+    /// Creates a bar along x with its centre at the origin, like the frame of a link. \[m, kg/m³\]
+    ///
+    /// `length` is along x, `height` along y, `width` along z.
     pub fn bar(length: f64, height: f64, width: f64, density: f64) -> Solid {
         Solid::cuboid(length, height, width, density)
     }
 
-    /// A cylinder along x, its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² +
-    /// l²)/12.   \[m, kg/m³\]
+    /// Creates a cylinder along x with its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3
+    /// r² + l²)/12. \[m, kg/m³\]
     pub fn cylinder(radius: f64, length: f64, density: f64) -> Solid {
         let mass = density * std::f64::consts::PI * radius * radius * length;
         let across = mass * (3.0 * radius * radius + length * length) / 12.0;
         Solid::diagonal(mass, [0.5 * mass * radius * radius, across, across])
     }
 
-    /// A disc in the plane, its axis along z, its centre at the origin.   \[m, kg/m³\]
+    /// Creates a disc in the xy-plane with its axis along z and its centre at the origin. \[m,
+    /// kg/m³\]
     pub fn disc(radius: f64, thickness: f64, density: f64) -> Solid {
         let Solid { mass, inertia, .. } = Solid::cylinder(radius, thickness, density);
         Solid::diagonal(mass, [inertia.m22, inertia.m22, inertia.m11])
     }
 
-    /// A ball, its centre at the origin: J = 2/5 m r².   \[m, kg/m³\]
+    /// Creates a ball with its centre at the origin: J = 2/5 m r². \[m, kg/m³\]
     pub fn sphere(radius: f64, density: f64) -> Solid {
         let mass = density * 4.0 / 3.0 * std::f64::consts::PI * radius.powi(3);
         Solid::diagonal(mass, [0.4 * mass * radius * radius; 3])
     }
 
-    /// A plate whose outline in the xy-plane has these corners, in order either way round, z = 0 in
-    /// its middle: area, centre and second moments of the polygon by its edges.   \[m, kg/m³\]
+    /// Creates a plate with a polygon as its outline in the xy-plane and z = 0 in its middle. \[m,
+    /// kg/m³\]
+    ///
+    /// `corners` are the corners of the polygon in order, in either direction. Kin sums area,
+    /// centre and second moments over the edges.
     pub fn plate(corners: &[Vec2], thickness: f64, density: f64) -> Solid {
         let mut area = 0.0;
         let mut first = [0.0; 2];
@@ -106,20 +112,21 @@ impl Solid {
         Solid { mass, centre: Vec3::zeros(), inertia }
     }
 
-    /// The same with its centre at another point of the body.   \[m\]
+    /// Moves the centre to another point of the body. \[m\]
     #[must_use]
     pub fn at(self, centre: impl Into<Vec3>) -> Solid {
         Solid { centre: centre.into(), ..self }
     }
 
-    /// The same turned about the body's origin: c̄ → A c̄, J → A J Aᵀ.
+    /// Rotates the solid about the origin of the body: c̄ → A c̄, J → A J Aᵀ.
     #[must_use]
     pub fn turned(self, p: EulerParameters) -> Solid {
         let a = p.normalize().rotation();
         Solid { centre: a * self.centre, inertia: a * self.inertia * a.transpose(), ..self }
     }
 
-    /// Both as one body (parallel axes: J + m (d² I − d dᵀ) of each about the common centre).
+    /// Joins two solids to one, by the parallel axis theorem: J + m (d² I − d dᵀ) about the common
+    /// centre.
     #[must_use]
     pub fn and(self, other: Solid) -> Solid {
         let mass = self.mass + other.mass;
@@ -128,30 +135,31 @@ impl Solid {
         Solid { mass, centre, inertia }
     }
 
-    /// The same with another one cut out of it.
+    /// Cuts another solid out of this one.
     #[must_use]
     pub fn without(self, hole: Solid) -> Solid {
         self.and(Solid { mass: -hole.mass, inertia: hole.inertia * -1.0, ..hole })
     }
 
-    /// J about another point of the body, in the same axes.
+    /// Returns J about another point of the body, in the same axes.
     fn about(self, point: Vec3) -> Mat3 {
         let d = Mat3::skew(self.centre - point);
         self.inertia - d * d * self.mass
     }
 }
 
-/// A body that can have mass; the prelude need not have it.
+/// A body that can have a mass. The prelude does not need to export this trait.
 pub trait HasMass: Body {
-    /// Its inertia about the centre: a number in the plane, a tensor in the body's axes in space.
+    /// The inertia about the centre: a number in the plane, a tensor in the axes of the body in
+    /// space.
     type Inertia;
 
-    /// The numbers as a [`Solid`].
+    /// Converts the numbers to a [`Solid`].
     #[doc(hidden)]
     fn solid(mass: f64, centre: Vec3, inertia: Self::Inertia) -> Solid;
 }
 
-/// A body in the plane takes a number for its inertia.
+/// A planar body has a number as its inertia.
 macro_rules! planar {
     ($($body:ident $(<$of:ident>)?),*) => {$(
         impl$(<$of: Scalar>)? HasMass for $body$(<$of>)? {
@@ -166,7 +174,7 @@ macro_rules! planar {
     )*};
 }
 
-/// A body in space takes a tensor.
+/// A spatial body has a tensor as its inertia.
 macro_rules! spatial {
     ($($body:ident $(<$of:ident>)?),*) => {$(
         impl$(<$of: Scalar>)? HasMass for $body$(<$of>)? {
@@ -216,8 +224,8 @@ mod tests {
         near(triangle(a, b, c).and(triangle(a, c, d)), Solid::plate(&[a, b, c, d], 0.2, 5.0));
     }
 
-    /// Masses and moments by the formulas of textbooks (Meriam and Kraige, table D/4), worked out
-    /// for sizes whose numbers are round.
+    /// Masses and moments equal the formulas of textbooks (Meriam and Kraige, table D/4), for sizes
+    /// with round results.
     #[test]
     fn shapes_have_the_mass_and_inertia_of_textbooks() {
         let of = |mass: f64, [x, y, z]: [f64; 3]| Solid::diagonal(mass, [x, y, z]);

@@ -1,4 +1,5 @@
-//! Forces and torques of the plane and of space under one name, constant or by laws of time.
+//! Gives forces and torques of the plane and of space common names. They are constants or laws of
+//! time.
 
 use crate::model::body::Vector;
 use crate::model::dimension::IntoNumber;
@@ -19,7 +20,7 @@ pub trait HasTorque: Vector {
     #[doc(hidden)]
     fn lifted(self) -> Vec3;
 
-    /// Names of the components of force and torque, and which of the six they are.
+    /// The names of the components of force and torque, with their indices among the six.
     #[doc(hidden)]
     const COMPONENTS: &'static [(&'static str, usize)];
 }
@@ -61,14 +62,15 @@ impl HasTorque for Vec3 {
         &[("F_x", 0), ("F_y", 1), ("F_z", 2), ("T_x", 3), ("T_y", 4), ("T_z", 5)];
 }
 
-/// A force or a torque, constant or by laws of time: a vector or as many laws, in the plane a
-/// number or a law as a torque.
+/// A force or a torque, constant or by laws of time.
+///
+/// It is a vector or one law for each component. In the plane a torque is a number or a law.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no force or torque here",
     label = "a vector of numbers, or as many laws: `vec2(0.0, -5.0)`, `[Law::constant(0.0), Law::sine(5.0, 2.0, 0.0)]`"
 )]
 pub trait ByLaws<T> {
-    /// Three laws; those that the plane has no place for are zero.
+    /// Returns three laws; components that the plane does not have are zero.
     #[doc(hidden)]
     fn laws(self) -> [Law; 3];
 }

@@ -1,13 +1,13 @@
-//! Conditions under which a constraint is let into a mechanism.
+//! The conditions under which a mechanism accepts a constraint.
 
 use crate::model::constraint::{Constraint, Entry};
 use crate::model::coordinates::{Argument, Target};
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
 
-/// Refuses, by name: parameters that are not finite or make no sense, bodies of other mechanisms,
-/// the same body or coordinate twice, rows without coordinates, and hand-written constraints that
-/// contradict themselves.
+/// Returns an error, by name, for parameters that are not finite or contradict each other, bodies
+/// of other mechanisms, the same body or coordinate twice, rows without coordinates, and
+/// hand-written constraints that contradict themselves.
 pub(crate) fn admit(
     mechanism: &str,
     layout: &Layout,
@@ -23,7 +23,7 @@ pub(crate) fn admit(
     movable(name, constraint, &arguments, &places)
 }
 
-/// Refuses an energy where a constraint is meant: its row is no equation.
+/// Returns an error for an energy in place of a constraint: its row is no equation.
 pub(crate) fn holds(name: &str, constraint: &dyn Constraint) -> Result<()> {
     if !constraint.facts().is_energy {
         return Ok(());
@@ -52,7 +52,7 @@ pub(crate) fn finite_parameters(name: &str, constraint: &dyn Constraint) -> Resu
     }
 }
 
-/// Tests the constraint's own demands on its parameters (`#[require]`).
+/// Tests the constraint's conditions on its parameters (`#[require]`).
 pub(crate) fn sensible_parameters(name: &str, constraint: &dyn Constraint) -> Result<()> {
     match constraint.refusal() {
         Some(reason) => Err(Error::InvalidParameters {
@@ -80,8 +80,8 @@ fn places(
     arguments.iter().map(place).collect()
 }
 
-/// No coordinate may come in by two arguments: neither a body twice, nor a coordinate twice, nor a
-/// body and one of its own.
+/// Checks that no coordinate comes in through two arguments: a body twice, a coordinate twice, or a
+/// body and one of its coordinates.
 fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Place]) -> Result<()> {
     let range = |k: usize| match places[k] {
         Place::Own { first, .. } => Some(first..first + arguments[k].target.columns()),
@@ -109,7 +109,7 @@ fn different(layout: &Layout, name: &str, arguments: &[Argument], places: &[Plac
     Ok(())
 }
 
-/// Rows and pattern of a hand-written constraint must fit each other.
+/// Checks that the rows and the pattern of a hand-written constraint fit each other.
 fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -> Result<()> {
     let columns: usize = arguments.iter().map(|argument| argument.target.columns()).sum();
     let facts = constraint.facts();
@@ -132,7 +132,7 @@ fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -
     })
 }
 
-/// Every row must have a coordinate that can move.
+/// Checks that every row has a coordinate that can move.
 fn movable(
     name: &str,
     constraint: &dyn Constraint,

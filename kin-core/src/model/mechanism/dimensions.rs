@@ -1,4 +1,4 @@
-//! Named dimensions of a mechanism, and the numbers that hang on them.
+//! Named dimensions of a mechanism, and the numbers that depend on them.
 
 use kin_graph::{Input, Node, Op};
 
@@ -13,12 +13,14 @@ use crate::model::layout::Kind;
 use crate::numbers::algebra::{Axis, Vec2};
 
 impl Mechanism {
-    /// A named number that others hang on, with its nominal value: a length, an angle, a rate. See
-    /// [`Dimension`] for what can be made of it. Given an expression of others, it is a name for
-    /// that.
+    /// Declares a named number with its nominal value: a length, an angle, a velocity. Other
+    /// numbers of the mechanism can depend on it.
     ///
-    /// Errors: name empty or taken, value not finite, an expression of another mechanism's
-    /// dimensions.
+    /// [`Dimension`] lists the arithmetic. If `value` is an expression of other dimensions, the
+    /// call gives the expression a name.
+    ///
+    /// Errors: the name is empty or taken, the value is not finite, the expression uses dimensions
+    /// of another mechanism.
     pub fn dimension(&mut self, name: &str, value: impl IntoNumber) -> Result<Dimension> {
         let number = value.into_number();
         if name.trim().is_empty() {
@@ -61,13 +63,15 @@ impl Mechanism {
         Ok(Dimension::new(value, mechanism, node))
     }
 
-    /// The clearance of a joint, a dimension of two numbers: where its pin is in its hole, which is
-    /// wider by `radius` on every side. Both are zero, and may be off, uniformly in the disc of
-    /// that radius. It is added to a point of the joint:
+    /// Declares the clearance of a joint: a pin with radial play in its hole, as a dimension of two
+    /// numbers.
+    ///
+    /// `radius` is the radial clearance. Both numbers have the nominal value zero and vary
+    /// uniformly in the disc of that radius. Add the result to a point of the joint:
     /// `revolute(crank, rod, crank.end() + gap, rod.start())`.
     ///
-    /// Errors: those of [`Mechanism::dimension`] for `NAME.x` and `NAME.y`; a radius that is
-    /// negative or not finite is told when the mechanism is built.
+    /// Errors: those of [`Mechanism::dimension`] for `NAME.x` and `NAME.y`. [`Mechanism::build`]
+    /// returns an error for a radius that is negative or not finite.
     pub fn clearance(&mut self, name: &str, radius: f64) -> Result<Vec2<Dimension>> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "clearance" });
@@ -77,7 +81,8 @@ impl Mechanism {
         Ok(Vec2 { x: own(x?), y: own(y?) })
     }
 
-    /// An error by name unless a number is a constant or of this mechanism's dimensions.
+    /// Returns an error, by name, unless a number is a constant or depends on dimensions of this
+    /// mechanism.
     pub(super) fn check_origin(&self, place: &str, number: Dimension) -> Result<()> {
         match number.of() {
             Of::Nothing => Ok(()),
@@ -90,7 +95,7 @@ impl Mechanism {
         }
     }
 
-    /// Notes that a number hangs on dimensions, if it does, and gives its value.
+    /// Records a number that depends on dimensions, and returns the value of any number.
     pub(crate) fn hang(&mut self, place: &str, at: Bound, number: Dimension) -> Result<f64> {
         self.check_origin(place, number)?;
         if let Of::Expression(_, node) = number.of() {
@@ -99,7 +104,7 @@ impl Mechanism {
         Ok(number.value())
     }
 
-    /// Declares a body or coordinate whose guess may hang on dimensions.
+    /// Declares a body or coordinate whose guess may depend on dimensions.
     pub(crate) fn declare_hung(
         &mut self,
         name: &str,
@@ -115,7 +120,7 @@ impl Mechanism {
         Ok(index)
     }
 
-    /// The guesses of these coordinates are given anew, and no longer hang on dimensions.
+    /// Removes the dependence of these guesses on dimensions, because they get new values.
     pub(super) fn free_guesses(&mut self, columns: std::ops::Range<usize>) {
         self.hung.retain(|hung| match hung.at {
             Bound::Guess(column) => !columns.contains(&column),
@@ -126,7 +131,7 @@ impl Mechanism {
         });
     }
 
-    /// The parameters of a constraint that hang on dimensions, with their places.
+    /// Returns the parameters of a constraint that depend on dimensions, with their places.
     pub(super) fn hung_parameters(
         &self,
         place: &str,
@@ -155,7 +160,7 @@ impl Mechanism {
         Ok(hung)
     }
 
-    /// The numbers of what has mass or acts that hang on dimensions, with their places.
+    /// Returns the numbers of a mass or load that depend on dimensions, with their places.
     pub(super) fn hung_beside(
         &self,
         place: &str,
@@ -171,7 +176,7 @@ impl Mechanism {
         Ok(hung)
     }
 
-    /// Notes the same, in place of what was noted of it before.
+    /// Records these numbers of a mass or load and replaces earlier records of it.
     pub(super) fn hang_beside(
         &mut self,
         place: &str,
@@ -185,8 +190,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The expression of a number, if it is to be noted: all numbers of an axis or a pose are, also
-    /// those that are constants.
+    /// Returns the expression of a number that must be recorded. All numbers of an axis or a pose
+    /// are recorded, including constants.
     fn node_for(&self, at: &Bound, number: Dimension) -> Option<Node> {
         match (number.of(), at) {
             (Of::Expression(_, node), _) => Some(node),
@@ -198,8 +203,8 @@ impl Mechanism {
         }
     }
 
-    /// Notes that the guess of a spatial body hangs on the numbers that it is drawn by, if any of
-    /// them hangs on dimensions.
+    /// Records that the guess of a spatial body depends on the numbers of its drawing, if one of
+    /// them depends on dimensions.
     pub(crate) fn hang_pose(
         &mut self,
         place: &str,
@@ -219,11 +224,10 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The dimensions as the system needs them; `None` of a mechanism that has none.
+    /// Returns the dimensions for the system, or `None` if the mechanism has no dimensions.
     ///
-    /// Errors, by name: a dimension on which nothing hangs, with the name of a parameter or
-    /// coordinate, with a range that excludes its value or a tolerance that makes no sense; a range
-    /// of an expression.
+    /// Errors, by name: an unused dimension, a name that a parameter or coordinate has, a range
+    /// that excludes the value, an invalid tolerance, a range of an expression.
     pub(crate) fn dimensions(&self) -> Result<Option<Snapshot>> {
         let Some(shared) = &self.dimensions else { return Ok(None) };
         let store = shared.store();
@@ -248,7 +252,7 @@ impl Mechanism {
         Ok(Some(snapshot))
     }
 
-    /// An error unless a dimension can be told from parameters and coordinates by its name.
+    /// Returns an error if a parameter or coordinate has the name of the dimension.
     fn check_name(&self, name: &str) -> Result<()> {
         let mut taken = self.layout.names.iter().any(|known| known == name);
         for (constraint, own) in &self.constraints {
@@ -269,7 +273,8 @@ impl Mechanism {
     }
 }
 
-/// The axis of a constraint that a name stands for a number of (`h_i.f.x`), and the number of that.
+/// Returns the axis of a constraint and the index of its component that a name such as `h_i.f.x`
+/// means.
 fn axis_part(of: &dyn Constraint, name: &str) -> Option<(String, usize)> {
     let axis = name.get(..name.len().checked_sub(4)?)?;
     let part = (0..9).find(|part| Axis::name_of(axis, *part) == name)?;
@@ -277,7 +282,7 @@ fn axis_part(of: &dyn Constraint, name: &str) -> Option<(String, usize)> {
 }
 
 impl Entry {
-    /// An error unless range and tolerance make sense.
+    /// Returns an error unless range and tolerance are valid.
     fn check(&self) -> Result<()> {
         let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
         match (self.range, self.tolerance) {
@@ -290,7 +295,8 @@ impl Entry {
             _ => Ok(()),
         }
     }
-    /// An error unless a disc is that of a clearance, which has two dimensions with one tolerance.
+    /// Returns an error unless a disc belongs to a clearance, which has two dimensions with one
+    /// tolerance.
     fn check_clearance(&self, all: &[Entry]) -> Result<()> {
         let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
         match (&self.clearance, self.distribution) {

@@ -6,10 +6,12 @@ use crate::model::error::{Error, Result};
 use crate::model::loads::Friction;
 
 impl Mechanism {
-    /// Dry friction in a joint that has been added, by the joint's name; given again it takes the
-    /// place of what was given before. It moves nothing in a driven mechanism, but drives must give
-    /// more and joints hold more; its numbers may be dimensions. Where no force of the drives
-    /// overcomes it, forces are told as jammed ([`crate::System::forces`]).
+    /// Adds dry friction to an existing joint, by the name of the joint. A second call for the
+    /// joint replaces the first.
+    ///
+    /// Friction does not change the motion of a driven mechanism. It increases the efforts of
+    /// drivers and the reactions of joints. The numbers may be dimensions. If no driving force can
+    /// overcome the friction, [`crate::System::forces`] reports a jammed mechanism.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -30,8 +32,8 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: a name that no constraint has; a joint that is no pin or no slide; a coefficient
-    /// below zero, a radius, length or rate that is not above zero, a number that is not finite.
+    /// Errors: no constraint has this name, the joint is neither a pin nor a slide, the coefficient
+    /// is negative, a radius, length or velocity is not positive, a number is not finite.
     pub fn friction(&mut self, joint: &str, friction: Friction) -> Result<()> {
         let found = self.constraints.iter().find(|(name, _)| name == joint);
         let (_, constraint) = found.ok_or_else(|| Error::UnknownName {

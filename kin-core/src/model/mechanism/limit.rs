@@ -1,18 +1,18 @@
-//! Ranges that measures should keep to.
+//! Permitted ranges of measures.
 
 use super::Mechanism;
 use crate::model::error::{Error, Result};
 
-/// The range that a measure should keep to; an end that is infinite is none.
+/// The permitted range of a measure. An infinite end means no limit.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Limit {
-    /// The measure of a joint, or the coordinate, by name.
+    /// The measure of a joint or the coordinate, by name.
     pub name: String,
     pub ends: [f64; 2],
 }
 
 impl Limit {
-    /// Refuses ends that are not in order.
+    /// Returns an error if the ends are not in order.
     fn check(&self) -> Result<()> {
         let [from, to] = self.ends;
         if from < to {
@@ -28,12 +28,15 @@ impl Limit {
 }
 
 impl Mechanism {
-    /// The range that a measure of a joint (`"A.angle"`) or a coordinate (`"slider.R_x"`) should
-    /// keep to, in its unit; infinite for no end. It stops nothing: a run tells by an event when an
-    /// end is passed ([`crate::Motion::events`]). Slots know their ends by themselves.
+    /// Sets the permitted range of a measure of a joint (`"A.angle"`) or of a coordinate
+    /// (`"slider.R_x"`), in its unit.
     ///
-    /// Errors: limits that are not in order. A name that nothing has is told by
-    /// [`Mechanism::build`], with what can be asked.
+    /// An infinite end means no limit. The range stops nothing: a run reports an event where the
+    /// measure leaves the range ([`crate::Motion::events`]). Slots know their ends without this
+    /// call.
+    ///
+    /// Errors: limits that are not in order. If nothing has the name, [`Mechanism::build`] returns
+    /// an error with the available names.
     pub fn limit(&mut self, measure: &str, from: f64, to: f64) -> Result<()> {
         let limit = Limit { name: measure.to_string(), ends: [from, to] };
         limit.check()?;

@@ -1,4 +1,4 @@
-//! Masses of bodies, gravity, and what acts on a mechanism.
+//! Masses, gravity and loads of a mechanism.
 
 use super::{Mechanism, Refused, admission};
 use crate::model::body::Body;
@@ -18,10 +18,11 @@ use crate::model::mechanism::IntoConstraint;
 use crate::numbers::algebra::Vec3;
 
 impl Mechanism {
-    /// The mass of a body, its centre of mass in the body's frame and its inertia about that
-    /// centre: in the plane one moment, in space a tensor in the body's axes. Each of the numbers
-    /// may be a [`Dimension`]. Given again it takes the place of what was given before.   \[kg, m,
-    /// kg m²\]
+    /// Sets the mass of a body, its centre of mass in the body frame, and its inertia about that
+    /// centre. \[kg, m, kg m²\]
+    ///
+    /// The inertia is one moment in the plane, and a tensor in the axes of the body in space. Each
+    /// number may be a [`Dimension`]. A second call for the body replaces the first.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -41,9 +42,9 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: the ground or a body of another mechanism; a mass that is not above zero, numbers
-    /// that are not finite, an inertia that no body can have (not symmetric, a moment below zero, a
-    /// principal moment above the sum of the two others).
+    /// Errors: the ground, a body of another mechanism, a mass that is not positive, numbers that
+    /// are not finite, an inertia that no body can have. Such an inertia is not symmetric, has a
+    /// negative moment, or has a principal moment above the sum of the two others.
     pub fn mass<B: HasMass>(
         &mut self,
         body: B,
@@ -58,15 +59,15 @@ impl Mechanism {
         self.weigh(body, B::solid(mass, centre, inertia), hung.take())
     }
 
-    /// The same by a shape and a density:
-    /// `m.solid(crank, Solid::bar(0.1, 0.02, 0.01, Solid::STEEL))`. In a plane z does not count.
+    /// Sets the mass of a body from shapes and a density: `m.solid(crank, Solid::bar(0.1, 0.02,
+    /// 0.01, Solid::STEEL))`. A planar body ignores z.
     ///
     /// Errors: those of [`Mechanism::mass`].
     pub fn solid<B: Body>(&mut self, body: B, solid: Solid) -> Result<()> {
         self.weigh(body, solid, Vec::new())
     }
 
-    /// The same, where numbers of these names hang on dimensions.
+    /// Sets the mass of a body, where numbers with these names depend on dimensions.
     pub(crate) fn weigh<B: Body>(
         &mut self,
         body: B,
@@ -92,9 +93,11 @@ impl Mechanism {
         Ok(())
     }
 
-    /// A mass at a point that is not one of a body: of a mechanism in bare coordinates. The point
-    /// is a constraint of two or three rows whose value is where it is, r(q, t). Its parameters and
-    /// the mass may be [`Dimension`]s.   \[kg\]
+    /// Adds a mass at a point that belongs to no body, for a mechanism in scalar coordinates.
+    /// \[kg\]
+    ///
+    /// The point is a constraint of two or three rows whose value is the position r(q, t). Its
+    /// parameters and the mass may be [`Dimension`]s.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -114,8 +117,8 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: those of [`Mechanism::add`]; a mass that is not above zero, a point with more or
-    /// fewer rows.
+    /// Errors: those of [`Mechanism::add`]; a mass that is not positive; a point with another
+    /// number of rows.
     pub fn point_mass(
         &mut self,
         name: &str,
@@ -127,7 +130,7 @@ impl Mechanism {
         self.point_mass_bound(name, (point, bound), mass.into_number())
     }
 
-    /// The same, where parameters of the point hang on dimensions.
+    /// Adds a mass at a point, where parameters of the point depend on dimensions.
     pub(crate) fn point_mass_bound(
         &mut self,
         name: &str,
@@ -149,8 +152,11 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The acceleration of gravity, such as `vec2(0.0, -9.81)`; zero without it. Its components may
-    /// be [`Dimension`]s. Numbers that are not finite are told by [`Mechanism::build`].   \[m/s²\]
+    /// Sets the acceleration of gravity, such as `vec2(0.0, -9.81)`; without this call it is zero.
+    /// \[m/s²\]
+    ///
+    /// Its components may be [`Dimension`]s. [`Mechanism::build`] returns an error if a component
+    /// is not finite.
     pub fn gravity(&mut self, g: impl IntoGravity) {
         let numbers = g.numbers();
         if self.pull(numbers).is_err() {
@@ -158,7 +164,7 @@ impl Mechanism {
         }
     }
 
-    /// Errors: numbers that are not finite, dimensions of another mechanism.
+    /// Returns an error for numbers that are not finite, and for dimensions of another mechanism.
     pub(super) fn pull(&mut self, numbers: [Dimension; 3]) -> Result<()> {
         let mut hung = Bindings::default();
         let gravity = hung.vector("g", numbers);
@@ -168,20 +174,22 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Something that acts, under a name: an energy ([`crate::loads::Potential`]), a force along a
-    /// length or an angle ([`crate::Load::along`]), a force or torque on a body; [`crate::loads`]
-    /// has the library. Its numbers may be [`Dimension`]s, those in a closure not: it knows what
-    /// they were.
+    /// Adds a load under a name: an energy, a force along a length or an angle, or a force or
+    /// torque on a body.
     ///
-    /// Errors: those of [`Mechanism::add`]; a load on the ground alone; laws that make no sense. A
-    /// measure that no joint has is told by [`Mechanism::build`]: the joint may be added later.
+    /// An energy is a [`crate::loads::Potential`]; [`crate::Load`] creates forces; [`crate::loads`]
+    /// is the library. The numbers of a load may be [`Dimension`]s, except in a closure, which
+    /// keeps the values that it captured.
+    ///
+    /// Errors: those of [`Mechanism::add`], a load on the ground alone, invalid laws. If no joint
+    /// has a measure, [`Mechanism::build`] returns the error, because the joint may be added later.
     pub fn load(&mut self, name: &str, load: impl IntoLoad) -> Result<()> {
         let mut load = load.into_load();
         let bound = load.take_bindings();
         self.load_bound(name, load, bound)
     }
 
-    /// The same, where these numbers hang on dimensions.
+    /// Adds a load, where these numbers depend on dimensions.
     pub(crate) fn load_bound(
         &mut self,
         name: &str,
@@ -219,7 +227,7 @@ impl Mechanism {
         Ok(())
     }
 
-    /// The numbers of the load that is to be added that hang on dimensions.
+    /// Returns the numbers of the new load that depend on dimensions, with their places.
     fn hung_in_load(
         &self,
         name: &str,
@@ -258,7 +266,7 @@ impl Mechanism {
         on.sensible(name)
     }
 
-    /// A scalar or a point that carries something.
+    /// Checks the constraint of a load or of a point with mass.
     fn admit_load(&self, name: &str, scalar: &dyn Constraint) -> Result<()> {
         if name.trim().is_empty() {
             return Err(Error::EmptyName { what: "load" });

@@ -1,5 +1,5 @@
-//! A mechanism as it is described: bodies, bare coordinates and named constraints; then built into
-//! a [`crate::System`].
+//! The description of a mechanism: bodies, scalar coordinates and named constraints.
+//! [`Mechanism::build`] turns it into a [`crate::System`].
 
 pub(crate) mod admission;
 mod dimensions;
@@ -32,8 +32,8 @@ use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
 use crate::model::units::Units;
 
-/// Bodies, bare coordinates and constraints under one name, in any consistent set of units (metre,
-/// radian and second in headers).
+/// Bodies, scalar coordinates and constraints of a machine. Units are arbitrary but consistent;
+/// headers show metre, radian and second by default.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -59,12 +59,13 @@ use crate::model::units::Units;
 /// # }
 /// ```
 ///
-/// A copy is a variant: bodies and coordinates that one has given out are those of the other too.
+/// A copy is a variant of the mechanism. The handles of bodies and coordinates of the original are
+/// valid in the copy too.
 #[derive(Clone)]
 pub struct Mechanism {
     pub(crate) name: String,
     pub(crate) layout: Layout,
-    /// Initial guess of q.
+    /// The guess of q, one value for each coordinate.
     pub(crate) initial: Vec<f64>,
     /// Preferred values as (coordinate, value).
     pub(crate) preferred: Vec<(usize, f64)>,
@@ -72,29 +73,29 @@ pub struct Mechanism {
     pub(crate) asked: Vec<(String, f64)>,
     pub(crate) constraints: Vec<(String, Box<dyn Constraint>)>,
     names: HashSet<String>,
-    /// A call that returns nothing and could not be carried out; its error is told at build.
+    /// The first call without a result that failed; build returns its error. `None` if all calls
+    /// succeeded.
     refused: Option<Refused>,
-    /// True if the units of length and time have been declared, and that of mass.
+    /// Two flags: the user has declared the units of length and time, and the unit of mass.
     pub(crate) declared: [bool; 2],
-    /// Ranges that measures should keep to.
+    /// Permitted ranges of measures.
     pub(crate) limits: Vec<Limit>,
-    /// Masses, gravity and what else acts.
+    /// Masses, gravity and loads.
     pub(crate) loads: Loads,
-    /// Named dimensions, if there are any, shared with copies.
+    /// Named dimensions, shared with copies; `None` if there are none.
     pub(crate) dimensions: Option<Arc<Shared>>,
-    /// The numbers that hang on them.
+    /// The numbers that depend on dimensions.
     pub(crate) hung: Vec<Hung>,
 }
 
-/// A constraint of a mechanism, in the order of adding.
+/// The index of a constraint of a mechanism, in the order of adding.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ConstraintId(usize);
 
-/// A call that returns nothing and could not be carried out: it is tried again at build, and gives
-/// its error.
+/// A call without a result that failed. Build repeats it and returns its error.
 #[derive(Clone)]
 pub(crate) enum Refused {
-    /// Words, and those that were declared before.
+    /// Words for units, and the words declared before.
     Units {
         before: Option<Units>,
         units: Units,
@@ -103,15 +104,14 @@ pub(crate) enum Refused {
     Gravity([Dimension; 3]),
 }
 
-/// Anything that can be added to a mechanism: a constraint, or one that is only known as a `Box<dyn
-/// Constraint>`.
+/// A value that a mechanism can add: a constraint, or a `Box<dyn Constraint>`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no constraint",
     label = "a mechanism takes constraints: what `revolute(…)` and functions with `#[constraint]` return",
     note = "a function becomes a constraint by `#[constraint]` above it; call it with bodies and parameters"
 )]
 pub trait IntoConstraint {
-    /// The constraint.
+    /// Returns the constraint.
     #[doc(hidden)]
     fn into_constraint(self) -> Box<dyn Constraint>;
 }
@@ -129,7 +129,7 @@ impl IntoConstraint for Box<dyn Constraint> {
 }
 
 impl Mechanism {
-    /// An empty mechanism.
+    /// Creates an empty mechanism.
     pub fn new(name: &str) -> Self {
         Mechanism {
             name: name.to_string(),
@@ -148,26 +148,29 @@ impl Mechanism {
         }
     }
 
-    /// Its name.
+    /// Returns the name of the mechanism.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Keeps the first call that could not be carried out.
+    /// Keeps the first call that failed.
     fn refuse(&mut self, refused: Refused) {
         self.refused = self.refused.take().or(Some(refused));
     }
 
-    /// The ground: the global frame, a planar and a spatial body without coordinates.
+    /// Returns the ground: the global frame, as a planar and a spatial body without coordinates.
     pub fn ground(&self) -> Ground {
         Ground
     }
 
-    /// A planar body between two pins that are `length` apart, frame at the middle; the assembly
-    /// finds its pose. The length may be a [`Dimension`]: then the pins `start()` and `end()` hang
-    /// on it.   \[m\]
+    /// Adds a planar body between two pins at the distance `length`, with its frame in the middle.
+    /// \[m\]
     ///
-    /// Errors: length not above zero, name empty or taken, a dimension of another mechanism.
+    /// The assembly finds its pose. If the length is a [`Dimension`], the pins `start()` and
+    /// `end()` depend on it.
+    ///
+    /// Errors: the length is not positive, the name is empty or taken, a dimension belongs to
+    /// another mechanism.
     pub fn link<L: IntoNumber>(&mut self, name: &str, length: L) -> Result<Link<L>> {
         self.link_at(name, length, pose(0.0, 0.0, 0.0))
     }
@@ -184,7 +187,7 @@ impl Mechanism {
         Ok(Link { body, length })
     }
 
-    /// The length of a link, if it can be one.
+    /// Returns the length of a link, if it is valid.
     fn check_length(&self, name: &str, length: Dimension) -> Result<Dimension> {
         self.check_origin(name, length)?;
         let value = length.value();
@@ -194,7 +197,7 @@ impl Mechanism {
         }
     }
 
-    /// Notes the length between the pins of a body.
+    /// Records the length between the pins of a body.
     pub(crate) fn note_length(
         &mut self,
         name: &str,
@@ -207,9 +210,9 @@ impl Mechanism {
         Ok(())
     }
 
-    /// A planar body with coordinates (R_x, R_y, θ) and their guess.   \[m, m, rad\]
+    /// Adds a planar body with the coordinates (R_x, R_y, θ) and their guess. \[m, m, rad\]
     ///
-    /// Errors: guess not finite, name empty or taken.
+    /// Errors: the guess is not finite, the name is empty or taken.
     pub fn planar<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(
         &mut self,
         name: &str,
@@ -220,11 +223,12 @@ impl Mechanism {
         Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
-    /// A spatial body with coordinates (R, e0, e1, e2, e3) and their guess; p is normalised,
-    /// and |p|² = 1 becomes an equation of its own, named `NAME.p`, when the mechanism is
-    /// built.   \[m, –\]
+    /// Adds a spatial body with the coordinates (R, e0, e1, e2, e3) and their guess. \[m, –\]
     ///
-    /// Errors: guess not finite or p = 0, name empty or taken.
+    /// Kin normalises p. When it builds the mechanism, it adds the equation |p|² = 1 under the name
+    /// `NAME.p`.
+    ///
+    /// Errors: the guess is not finite or p = 0, the name is empty or taken.
     pub fn spatial(&mut self, name: &str, pose: impl IntoSpatialPose) -> Result<SpatialBody> {
         let Drawn { coordinates, facing } = pose.drawn();
         facing.iter().try_for_each(|number| self.check_origin(name, *number))?;
@@ -234,17 +238,17 @@ impl Mechanism {
         Ok(SpatialBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
-    /// A bare coordinate that is an angle, and its guess.   \[rad\]
+    /// Adds a scalar coordinate that is an angle, with its guess. \[rad\]
     ///
-    /// Errors: guess not finite, name empty or taken.
+    /// Errors: the guess is not finite, the name is empty or taken.
     pub fn angle(&mut self, name: &str, guess: impl IntoNumber) -> Result<Coordinate> {
         let index = self.declare_hung(name, Kind::Angle, &[guess.into_number()])?;
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
     }
 
-    /// A bare coordinate that is a length, and its guess.   \[m\]
+    /// Adds a scalar coordinate that is a length, with its guess. \[m\]
     ///
-    /// Errors: guess not finite, name empty or taken.
+    /// Errors: the guess is not finite, the name is empty or taken.
     pub fn length(&mut self, name: &str, guess: impl IntoNumber) -> Result<Coordinate> {
         let index = self.declare_hung(name, Kind::Length, &[guess.into_number()])?;
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
@@ -267,17 +271,20 @@ impl Mechanism {
 
     /// Adds a constraint under a name.
     ///
-    /// Errors, all by name: name empty or taken, a parameter that is not finite or makes no sense
-    /// (a length below zero, a zero axis, a table that does not increase), a body of another
-    /// mechanism, the same body or coordinate twice, an equation left without coordinates because
-    /// its bodies are the ground.
+    /// Each error contains the name. Errors:
+    ///
+    /// * The name is empty or taken.
+    /// * A parameter is not finite or invalid: a negative length, a zero axis, a table that does
+    ///   not increase.
+    /// * A body belongs to another mechanism, or a body or coordinate is in the constraint twice.
+    /// * An equation contains no coordinates, because its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
         let mut constraint = constraint.into_constraint();
         let bound = constraint.take_bindings().take();
         self.add_bound(name, constraint, bound)
     }
 
-    /// The same, where these parameters are expressions of dimensions.
+    /// Adds a constraint, where these parameters are expressions of dimensions.
     pub(crate) fn add_bound(
         &mut self,
         name: &str,
@@ -300,16 +307,16 @@ impl Mechanism {
         Ok(ConstraintId(self.constraints.len() - 1))
     }
 
-    /// Gives another guess for one coordinate.   \[m or rad\]
+    /// Sets the guess of one coordinate. \[m or rad\]
     ///
-    /// Errors: not finite, coordinate of another mechanism.
+    /// Errors: the guess is not finite, the coordinate belongs to another mechanism.
     pub fn guess(&mut self, coordinate: Coordinate, value: impl IntoNumber) -> Result<()> {
         self.set_all("guess", Target::Coord(coordinate, Trig::Unused), &[value.into_number()])
     }
 
-    /// Gives another guess for the pose of a planar body.   \[m, m, rad\]
+    /// Sets the guess of the pose of a planar body. \[m, m, rad\]
     ///
-    /// Errors: not finite, body of another mechanism.
+    /// Errors: the guess is not finite, the body belongs to another mechanism.
     pub fn set_pose<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(
         &mut self,
         body: impl Into<PlanarBody>,
@@ -319,9 +326,9 @@ impl Mechanism {
         self.set_all("set_pose", Target::Planar(body.into()), &guess)
     }
 
-    /// Gives another guess for the pose of a spatial body.   \[m, –\]
+    /// Sets the guess of the pose of a spatial body. \[m, –\]
     ///
-    /// Errors: not finite or p = 0, body of another mechanism.
+    /// Errors: the guess is not finite or p = 0, the body belongs to another mechanism.
     pub fn set_spatial_pose(
         &mut self,
         body: impl Into<SpatialBody>,
@@ -335,9 +342,9 @@ impl Mechanism {
         self.hang_pose("set_spatial_pose", &facing, |part| Bound::Facing { first, part })
     }
 
-    /// Gives another guess for all coordinates, in the order of their declaration.   \[m, rad\]
+    /// Sets the guesses of all coordinates, in the order of their declaration. \[m, rad\]
     ///
-    /// Errors: wrong length, not finite.
+    /// Errors: the list has the wrong length, a guess is not finite.
     pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
         if q.len() != self.initial.len() {
             return Err(Error::WrongLength {
@@ -354,7 +361,7 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Writes a guess; for the ground it is nothing to do.
+    /// Writes a guess. For the ground there is nothing to write.
     fn set_all(&mut self, place: &str, target: Target, numbers: &[Dimension]) -> Result<()> {
         let foreign = || Error::ForeignBody {
             mechanism: self.name.clone(),
@@ -375,8 +382,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Itself, after what could not be told where nothing is returned. Errors: units that
-    /// contradict one another, a mistake in a preference.
+    /// Returns the mechanism, or the error of a call that has no result. Errors: units that
+    /// contradict each other, a mistake in a preference.
     pub(crate) fn settled(mut self) -> Result<Self> {
         match self.refused.take() {
             Some(Refused::Units { before, units }) => units::refusal(before.as_ref(), &units)?,

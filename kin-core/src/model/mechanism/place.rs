@@ -1,5 +1,5 @@
-//! Bodies placed by points, and points found in bodies as they are drawn: frames at mid-link are
-//! where people slip.
+//! Places bodies by points, and finds local positions in bodies as they are drawn. Users often
+//! forget that the frame of a link is in its middle.
 
 use super::{Mechanism, Pose, SpatialPose};
 use crate::model::body::Body;
@@ -9,7 +9,7 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::{Axis, Components, Mix, Mixed, Scalar, Vec2, Vec3};
 
-/// A named point of a body and a direction there, both in the body's frame.
+/// A named point and direction of a body, both in the frame of the body.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -29,25 +29,26 @@ use crate::numbers::algebra::{Axis, Components, Mix, Mixed, Scalar, Vec2, Vec3};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker<B: Body> {
-    /// Its name, for files and figures.
+    /// The name, for files and figures.
     pub name: String,
     /// The body.
     pub body: B,
-    /// Local position.   \[m\]
+    /// The local position. \[m\]
     pub u: B::Vector,
-    /// Local direction, of any length.   \[–\]
+    /// The local direction, of any length. \[–\]
     pub h: B::Vector,
 }
 
 impl<B: Body> Marker<B> {
-    /// A marker by local position and direction; [`Mechanism::marker`] takes global ones.
+    /// Creates a marker from a local position and direction. [`Mechanism::marker`] accepts global
+    /// ones.
     pub fn new(name: &str, body: B, u: impl Into<B::Vector>, h: impl Into<B::Vector>) -> Self {
         Marker { name: name.to_string(), body, u: u.into(), h: h.into() }
     }
 }
 
-/// Frame at the middle between two global points in space, x-axis from the first to the second, by
-/// their six components.
+/// Returns a frame in the middle between two global points, with its x-axis from the first to the
+/// second. `components` are the six components of the points.
 pub(crate) fn between(components: impl Iterator<Item = f64>) -> SpatialPose {
     let mut all = [f64::NAN; 6];
     all.iter_mut().zip(components).for_each(|(to, x)| *to = x);
@@ -56,8 +57,8 @@ pub(crate) fn between(components: impl Iterator<Item = f64>) -> SpatialPose {
     SpatialPose::facing((a + b) * 0.5, b - a)
 }
 
-/// Frame at a global point in space, facing the direction or the two directions that follow its
-/// three components.
+/// Returns a frame at a global point that faces one or two directions. `components` are the
+/// components of the point, then of the directions.
 pub(crate) fn facing(components: impl Iterator<Item = f64>) -> SpatialPose {
     let all: Vec<f64> = components.collect();
     let (r, directions) = all.split_at(all.len().min(3));
@@ -66,24 +67,26 @@ pub(crate) fn facing(components: impl Iterator<Item = f64>) -> SpatialPose {
 }
 
 impl Mechanism {
-    /// ū, where a global point is in a body as it is drawn: at the pose it was declared with or
-    /// given since.   \[m\]
+    /// Returns the local position ū in a body of a global point, for the body as it is drawn. \[m\]
     ///
-    /// Errors: a body of another mechanism.
+    /// The drawn pose is the guess from the declaration, or the last guess set since.
+    ///
+    /// Errors: the body belongs to another mechanism.
     pub fn local<B: Body>(&self, body: B, point: impl Into<B::Vector>) -> Result<B::Vector> {
         self.drawn(body).map(|q| B::local(point.into(), q))
     }
 
-    /// h̄, a global direction as a body sees it where it is drawn.
+    /// Returns the local direction h̄ in a body of a global direction, for the body as it is drawn.
     ///
-    /// Errors: a body of another mechanism.
+    /// Errors: the body belongs to another mechanism.
     pub fn local_direction<B: Body>(&self, body: B, h: impl Into<B::Vector>) -> Result<B::Vector> {
         self.drawn(body).map(|q| B::local_direction(h.into(), q))
     }
 
-    /// A marker at a global point, with a global direction, of a body as it is drawn.   \[m, –\]
+    /// Creates a marker of a body from a global point and a global direction, for the body as it is
+    /// drawn. \[m, –\]
     ///
-    /// Errors: a body of another mechanism, name empty.
+    /// Errors: the body belongs to another mechanism, the name is empty.
     pub fn marker<B: Body + Copy>(
         &self,
         name: &str,
@@ -97,12 +100,13 @@ impl Mechanism {
         Ok(Marker::new(name, body, self.local(body, point)?, self.local_direction(body, h)?))
     }
 
-    /// A planar body between two pins at the global points `a` and `b`: their distance is its
-    /// length, frame at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them
-    /// length and guess hang on it.   \[m\]
+    /// Adds a planar body between two pins at the global points `a` and `b`. \[m\]
     ///
-    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another
-    /// mechanism.
+    /// Its length is the distance of the points. Its frame is in the middle, with the x-axis from
+    /// `a` to `b`. If a component is a [`crate::Dimension`], length and guess depend on it.
+    ///
+    /// Errors: the points coincide or are not finite, the name is empty or taken, a dimension
+    /// belongs to another mechanism.
     pub fn link_between<S: Scalar + Mix<T>, T: Scalar>(
         &mut self,
         name: &str,
@@ -119,12 +123,13 @@ impl Mechanism {
         self.link_at(name, (b.x - a.x).hypot(b.y - a.y), Pose::between(a, b))
     }
 
-    /// A spatial body between two joints at the global points `a` and `b`: their distance is its
-    /// length, frame at the middle, x-axis from `a` to `b`. With a [`crate::Dimension`] in them
-    /// length and guess hang on it.   \[m\]
+    /// Adds a spatial body between two joints at the global points `a` and `b`. \[m\]
     ///
-    /// Errors: points that coincide or are not finite, name empty or taken, a dimension of another
-    /// mechanism.
+    /// Its length is the distance of the points. Its frame is in the middle, with the x-axis from
+    /// `a` to `b`. If a component is a [`crate::Dimension`], length and guess depend on it.
+    ///
+    /// Errors: the points coincide or are not finite, the name is empty or taken, a dimension
+    /// belongs to another mechanism.
     pub fn spatial_link_between<S: Scalar + Mix<T>, T: Scalar>(
         &mut self,
         name: &str,
@@ -149,7 +154,7 @@ impl Mechanism {
         Ok(SpatialLink { body, length })
     }
 
-    /// The coordinates of a body as it is drawn; none of the ground's.
+    /// Returns the coordinates of a body as it is drawn; the ground has none.
     fn drawn<B: Body>(&self, body: B) -> Result<&[f64]> {
         let target = body.target();
         match self.layout.place(&target) {

@@ -1,4 +1,4 @@
-//! Poses of bodies, and small helpers for the numbers of a model.
+//! Poses of bodies, and helpers for the numbers of a model.
 
 use super::place::facing;
 use crate::model::dimension::{Dimension, IntoNumber};
@@ -6,8 +6,8 @@ use crate::numbers::algebra::{
     Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3,
 };
 
-/// Position and angle of a planar body: (R_x, R_y, θ). Each of them is a number, or a
-/// [`crate::Dimension`].   \[m, m, rad\]
+/// The position and angle of a planar body: (R_x, R_y, θ). Each is a number or a
+/// [`crate::Dimension`]. \[m, m, rad\]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose<X = f64, Y = f64, A = f64> {
     /// R_x   \[m\]
@@ -18,30 +18,31 @@ pub struct Pose<X = f64, Y = f64, A = f64> {
     pub theta: A,
 }
 
-/// The pose (R_x, R_y, θ) of a planar body.   \[m, m, rad\]
+/// Creates the pose (R_x, R_y, θ) of a planar body. \[m, m, rad\]
 pub fn pose<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(x: X, y: Y, theta: A) -> Pose<X, Y, A> {
     Pose { x, y, theta }
 }
 
 impl<S: Scalar> Pose<S, S, S> {
-    /// Frame at the middle between two global points, x-axis from `a` to `b`.
+    /// Returns a frame in the middle between two global points, with its x-axis from `a` to `b`.
     pub(crate) fn between(a: Vec2<S>, b: Vec2<S>) -> Self {
         Pose { x: (a.x + b.x) * 0.5, y: (a.y + b.y) * 0.5, theta: (b.y - a.y).atan2(b.x - a.x) }
     }
 }
 
-/// Position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first. The numbers
-/// of either are plain ones, or [`crate::Dimension`]s.   \[m, –\]
+/// The position and Euler parameters of a spatial body: (R, e0, e1, e2, e3), scalar first. \[m, –\]
+///
+/// Each number is an `f64` or a [`crate::Dimension`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialPose<R = f64, P = f64> {
     /// R   \[m\]
     pub r: Vec3<R>,
-    /// Euler parameters; any length but zero, a mechanism normalises them.
+    /// The Euler parameters p, of any length except zero; a mechanism normalises them.
     pub p: EulerParameters<P>,
 }
 
 impl SpatialPose {
-    /// The pose with position R and Euler parameters p.
+    /// Creates the pose with position R and Euler parameters p.
     pub fn new<R: Scalar, P: Scalar>(
         r: impl Components<3, Scalar = R>,
         p: EulerParameters<P>,
@@ -49,13 +50,15 @@ impl SpatialPose {
         SpatialPose { r: Vec3::from(r.components()), p }
     }
 
-    /// Position R, not turned: p = (1, 0, 0, 0).
+    /// Creates the pose with position R and the axes of the global frame: p = (1, 0, 0, 0).
     pub fn at<R: Scalar>(r: impl Components<3, Scalar = R>) -> SpatialPose<R> {
         SpatialPose::new(r, EulerParameters::new(1.0, 0.0, 0.0, 0.0))
     }
 
-    /// Turned by `angle` about the direction `axis` through its origin R: p = (cos φ/2, n sin φ/2).
-    /// A zero axis turns nothing.   \[m, rad\]
+    /// Creates the pose that is rotated by `angle` about the direction `axis` through its origin R:
+    /// p = (cos φ/2, n sin φ/2). \[m, rad\]
+    ///
+    /// A zero axis means no rotation.
     pub fn turned<R: Scalar, P: Scalar + Mix<A>, A: Scalar>(
         r: impl Components<3, Scalar = R>,
         axis: impl Components<3, Scalar = A>,
@@ -76,10 +79,12 @@ impl SpatialPose {
         SpatialPose::new(r, EulerParameters { e0: cos.into(), e1, e2, e3 })
     }
 
-    /// At R with the body's x-axis along h of an axis and its y-axis along f:
-    /// `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))`, or with both directions chosen
-    /// `SpatialPose::facing(r, Axis::new(h, f))`. With a [`Dimension`] in a direction it is a
-    /// [`Facing`], which is a pose to a mechanism.   \[m, –\]
+    /// Creates the pose at R with the x-axis of the body along h of an axis and its y-axis along f.
+    /// \[m, –\]
+    ///
+    /// `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))` chooses f; `SpatialPose::facing(r,
+    /// Axis::new(h, f))` sets both directions. If a direction contains a [`Dimension`], the result
+    /// is a [`Facing`], which a mechanism accepts as a pose.
     pub fn facing<R: IntoNumber, D: Direction>(
         r: impl Components<3, Scalar = R>,
         x: D,
@@ -88,14 +93,14 @@ impl SpatialPose {
     }
 }
 
-/// A direction, or two, that a spatial body faces.
+/// One or two directions that a spatial body faces.
 #[diagnostic::on_unimplemented(
     message = "an axis is wanted here, but this is `{Self}`",
     label = "not an axis",
     note = "a direction is `vec3(1.0, 0.0, 0.0)`, or `Axis::new(h, f)` with a second one across it"
 )]
 pub trait Direction {
-    /// The pose of a body that faces it.
+    /// The type of the pose of a body that faces the direction.
     type Pose<R: IntoNumber>;
 
     #[doc(hidden)]
@@ -112,11 +117,11 @@ impl<A: Into<Axis>> Direction for A {
     }
 }
 
-/// A spatial body at a point, facing directions that hang on dimensions ([`SpatialPose::facing`]):
-/// when a dimension is set, the body is turned anew.
+/// A spatial body at a point that faces directions with dimensions ([`SpatialPose::facing`]). If a
+/// dimension changes, Kin rotates the body accordingly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facing {
-    /// R, and the components of one or two directions.
+    /// The components of R, then of one or two directions.
     numbers: Vec<Dimension>,
 }
 
@@ -136,7 +141,7 @@ impl Direction for Axis<Dimension> {
     }
 }
 
-/// Directions with dimensions in them.
+/// Directions that contain dimensions.
 macro_rules! directions {
     ($($direction:ty)*) => {$(
         #[diagnostic::do_not_recommend]
@@ -157,8 +162,7 @@ directions! {
     (f64, Dimension, Dimension) (Dimension, f64, Dimension) (Dimension, Dimension, f64)
 }
 
-/// Anything that says where a spatial body is and how it is turned: a [`SpatialPose`] or a
-/// [`Facing`].
+/// A value that gives the pose of a spatial body: a [`SpatialPose`] or a [`Facing`].
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is no pose of a spatial body",
     label = "a pose is `SpatialPose::at(r)`, `SpatialPose::turned(r, axis, angle)` or `SpatialPose::facing(r, x)`"
@@ -168,13 +172,13 @@ pub trait IntoSpatialPose {
     fn drawn(self) -> Drawn;
 }
 
-/// A pose as a mechanism notes it.
+/// A pose as a mechanism stores it.
 #[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
-    /// Its coordinates, which are numbers alone where it faces a direction.
+    /// The coordinates; plain numbers if the body faces a direction.
     pub(crate) coordinates: [Dimension; 7],
-    /// The numbers that it is worked out of; none where coordinates are what they are.
+    /// The numbers from which Kin computes the pose; empty if the coordinates are given directly.
     pub(crate) facing: Vec<Dimension>,
 }
 
@@ -192,7 +196,7 @@ impl IntoSpatialPose for Facing {
 }
 
 impl<R: IntoNumber, P: IntoNumber> SpatialPose<R, P> {
-    /// (R, p/|p|) as coordinates; not finite where p = 0.
+    /// Returns (R, p/|p|) as coordinates; they are not finite if p = 0.
     pub(crate) fn coordinates(self) -> [Dimension; 7] {
         let p = [self.p.e0, self.p.e1, self.p.e2, self.p.e3];
         let largest = p.iter().fold(0.0_f64, |m, e| m.max(e.value().abs()));
@@ -206,12 +210,13 @@ impl<R: IntoNumber, P: IntoNumber> SpatialPose<R, P> {
     }
 }
 
-/// Degrees in radians: x π/180.
+/// Converts degrees to radians: x π/180.
 pub fn deg(x: f64) -> f64 {
     x.to_radians()
 }
 
-/// `n` numbers from `a` to `b`, evenly spaced, both ends exact; `[a]` for one, none for zero.
+/// Returns `n` evenly spaced numbers from `a` to `b`, with both ends exact. For n = 1 it returns
+/// `[a]`, for n = 0 an empty list.
 pub fn linspace(a: f64, b: f64, n: usize) -> Vec<f64> {
     let last = n.saturating_sub(1);
     (0..n)

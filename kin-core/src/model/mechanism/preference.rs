@@ -1,4 +1,4 @@
-//! Which of several assemblies is meant.
+//! Selects one of several assemblies.
 
 use super::{Drawn, IntoSpatialPose, Mechanism, Refused, SpatialPose};
 use crate::model::coordinates::{
@@ -9,26 +9,28 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::{EulerParameters, Scalar};
 
-/// Anything that can be preferred, and by which kind of value V: a bare coordinate, a planar body
-/// or link by its angle θ, a spatial body or link by its Euler parameters or by its whole pose, a
-/// measure of a joint or a coordinate by its name (`"A.angle"`).
+/// A quantity that can be preferred near a value of type V.
+///
+/// It is a scalar coordinate, a planar body or link (its angle θ), a spatial body or link (its
+/// Euler parameters or its pose), or the name of a measure of a joint or of a coordinate
+/// (`"A.angle"`).
 pub trait Preferred<V> {
-    /// The preference of `value` for it.
+    /// Returns the preference for this value.
     #[doc(hidden)]
     fn wish(self, value: V) -> Wish;
 }
 
-/// A preference as it was told.
+/// A recorded preference.
 #[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
     /// A coordinate near a value.
     Coordinate(Coordinate, Dimension),
-    /// A spatial body turned like this.
+    /// The orientation of a spatial body.
     Turn(SpatialBody, EulerParameters<Dimension>),
-    /// A spatial body where and turned like this.
+    /// The position and orientation of a spatial body.
     Pose(SpatialBody, Drawn),
-    /// The thing of this name, near a value.
+    /// The measure or coordinate with this name near a value.
     Named(String, Dimension),
 }
 
@@ -93,16 +95,18 @@ impl<S: IntoNumber> Preferred<S> for &String {
 }
 
 impl Mechanism {
-    /// Which of several assemblies: the one with this nearest the value: a coordinate; a planar
-    /// body or link by its angle θ; a spatial body or link by its Euler parameters, or by its pose;
-    /// the measure of a joint or a coordinate by its name, as
-    /// `m.prefer("elbow.angle", deg(-60.0))`. Coordinates and bodies take it as their guess too.
-    /// For a measure all assemblies are looked at
-    /// ([`System::assemblies`](crate::System::assemblies)), unless the guess leads near the value;
-    /// of angles whole turns do not count. The value may be a [`Dimension`].   \[m or rad\]
+    /// Selects one of several assemblies: the one in which a quantity is nearest to a value. \[m or
+    /// rad\]
     ///
-    /// A value that is not finite, a body of another mechanism or a name that nothing has is told
-    /// by [`Mechanism::build`].
+    /// The quantity is a coordinate, a planar body or link (its angle θ), a spatial body or link
+    /// (its Euler parameters or its pose), or a measure by its name: `m.prefer("elbow.angle",
+    /// deg(-60.0))`. Coordinates and bodies use the value as their guess too. For a measure Kin
+    /// searches all assemblies ([`System::assemblies`](crate::System::assemblies)), unless the
+    /// guess already leads near the value. Full revolutions of an angle do not count. The value may
+    /// be a [`Dimension`].
+    ///
+    /// [`Mechanism::build`] returns an error if the value is not finite, if the body belongs to
+    /// another mechanism, or if nothing has the name.
     pub fn prefer<V>(&mut self, what: impl Preferred<V>, value: V) {
         let wish = what.wish(value);
         if self.note(wish.clone()).is_err() {
@@ -148,7 +152,7 @@ impl Mechanism {
         }
     }
 
-    /// Guesses these values of a body or coordinate, and prefers them from one of them on.
+    /// Sets these guesses of a body or coordinate, and prefers them from index `from` on.
     fn prefer_all(&mut self, target: Target, numbers: &[Dimension], from: usize) -> Result<()> {
         self.set_all("prefer", target, numbers)?;
         if let Some(Place::Own { first, .. }) = self.layout.place(&target) {

@@ -1,16 +1,16 @@
-//! The words for units as they are declared, and what contradicts them.
+//! Declared names of units, and what contradicts them.
 
 use super::{Mechanism, Refused};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
-/// The words of [`Mechanism::units`], to which that for the unit of mass may be added.
+/// The result of [`Mechanism::units`], to which [`UnitWords::mass`] adds the unit of mass.
 pub struct UnitWords<'a> {
     mechanism: &'a mut Mechanism,
 }
 
 impl UnitWords<'_> {
-    /// Names the unit of mass. Those of force, torque, energy and power follow from it.
+    /// Names the unit of mass. The units of force, torque, energy and power follow from it.
     pub fn mass(self, mass: &str) {
         let units = self.mechanism.layout.words.with_mass(mass);
         let again = std::mem::replace(&mut self.mechanism.declared[1], true);
@@ -21,18 +21,19 @@ impl UnitWords<'_> {
 /// Acceleration of the earth's gravity (ISO 80000-3).   \[m/s²\]
 const EARTH: f64 = 9.80665;
 
-/// Numbers within this share of it are the earth's.   \[-\]
+/// Numbers within this share of the constant count as the earth's gravity. \[-\]
 const ABOUT: f64 = 0.01;
 
 impl Mechanism {
-    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`, and
-    /// that of mass where it is none of the kilogram: `m.units("mm", "s").mass("t")`. Words alone:
-    /// nothing is converted, and all numbers have to be in these units. Without it they are `m`,
-    /// `s` and `kg`.
+    /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`. The
+    /// default is `m`, `s` and `kg`.
     ///
-    /// Contradictions are told by [`Mechanism::build`]: a word that is empty or that of another
-    /// quantity, other words later, the earth's gravity in other units, a dimension in another unit
-    /// of length.
+    /// For another unit of mass write `m.units("mm", "s").mass("t")`. Kin converts nothing: all
+    /// numbers must be in these units.
+    ///
+    /// [`Mechanism::build`] returns an error for contradictions: an empty word, the word of another
+    /// quantity, other words in a later call, the earth's gravity in other units, a dimension in
+    /// another unit of length.
     pub fn units(&mut self, length: &str, time: &str) -> UnitWords<'_> {
         let units = Units::new(length, time).with_mass(self.layout.words.mass());
         let again = std::mem::replace(&mut self.declared[0], true);
@@ -40,7 +41,7 @@ impl Mechanism {
         UnitWords { mechanism: self }
     }
 
-    /// Takes the words, which may have been declared before.
+    /// Stores the words, which a call may have declared before.
     fn set_units(&mut self, units: Units, again: bool) {
         let before = again.then(|| self.layout.words.clone());
         match refusal(before.as_ref(), &units) {
@@ -49,8 +50,8 @@ impl Mechanism {
         }
     }
 
-    /// Errors: gravity, or a dimension, in other units than those that are declared. Where none
-    /// are, nothing can contradict them.
+    /// Returns an error if gravity or a dimension is in other units than the declared ones. Without
+    /// declared units nothing can contradict them.
     pub(super) fn check_units(&self) -> Result<()> {
         let units = &self.layout.words;
         refusal(None, units)?;
@@ -79,13 +80,13 @@ impl Mechanism {
         }
     }
 
-    /// The earth's gravity is the same in all units.
+    /// Checks the earth's gravity, whose value depends on the units.
     fn check_gravity(&self, units: &Units) -> Result<()> {
         let size = self.loads.gravity.iter().map(|g| g * g).sum::<f64>().sqrt();
         let Some(exponent) = units.of_acceleration() else { return Ok(()) };
         let own = EARTH * 10.0_f64.powi(-exponent);
         let is = |number: f64| (size / number - 1.0).abs() < ABOUT;
-        // In metres, in centimetres and in millimetres.
+        // The earth's gravity in metres, centimetres and millimetres.
         if is(own) || ![EARTH, 1e2 * EARTH, 1e3 * EARTH].into_iter().any(is) {
             return Ok(());
         }
@@ -99,7 +100,7 @@ impl Mechanism {
     }
 }
 
-/// The error of words, which may have been declared before.
+/// Returns the error of words, which a call may have declared before.
 pub(super) fn refusal(before: Option<&Units>, units: &Units) -> Result<()> {
     if let Some(what) = units.missing() {
         return Err(Error::EmptyName { what });

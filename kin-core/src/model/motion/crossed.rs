@@ -2,16 +2,16 @@
 
 use crate::model::law::Break;
 
-/// A break of a law that a run has crossed: there a derivative of the motion jumps.
+/// A break of a law that a run has crossed. A derivative of the motion jumps there.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CrossedBreak {
-    /// The last time before it, and the first one after it or at it.   \[s\]
+    /// The last time before the break, and the first time after it or at it. \[s\]
     pub between: (f64, f64),
-    /// The constraint that asks the law.
+    /// The constraint that contains the law.
     pub constraint: String,
-    /// The law, by its name in the constraint.
+    /// The name of the law in the constraint.
     pub law: String,
-    /// Where in the law it is, and which derivative jumps.
+    /// The argument of the law at the break, and the derivative that jumps.
     pub found: Break,
 }

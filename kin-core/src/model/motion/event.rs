@@ -1,4 +1,4 @@
-//! Events of a motion: each happens at one time, to something with a name.
+//! Events of a motion. Each happens at one time to a named thing.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,28 +6,28 @@ use super::Motion;
 use crate::model::units::Units;
 use crate::model::words::time;
 
-/// Kinds of [`Event`].
+/// The kind of an [`Event`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum EventKind {
-    /// A joint's measure passes the end of its range: a stop, the end of a slot.
+    /// The measure of a joint passes the end of its range: a stop, or the end of a slot.
     Limit,
-    /// A toggle: beyond it there is no position.
+    /// The motion reaches a toggle, beyond which no position exists.
     TurningPoint,
-    /// A change point: branches of the motion cross.
+    /// The motion passes a change point, where branches cross.
     Bifurcation,
-    /// A kink of an equation: the condition of an `if` changes, or `abs`, `max` or `min` takes its
-    /// other side. Derivatives there are those of one side. Of constraints on the dual route kinks
-    /// are not known.
+    /// An equation has a kink: the condition of an `if` changes, or `abs`, `max` or `min` changes
+    /// its side. Derivatives at this time belong to one side. Kin does not know the kinks of
+    /// constraints on the dual route.
     Kink,
-    /// The run goes on beyond the end of a table of a law, where the law is a straight line. A
+    /// The run leaves the range of a table of a law, where the law continues as a straight line. A
     /// sequence that holds its last value is not reported.
     BeyondRange,
 }
 
 impl EventKind {
-    /// True if the event is a warning: what comes after it may not be meant.
+    /// Returns true if the event is a warning: the motion after it may not be what the user wants.
     pub fn is_warning(self) -> bool {
         matches!(self, EventKind::BeyondRange)
     }
@@ -45,18 +45,18 @@ impl std::fmt::Display for EventKind {
     }
 }
 
-/// Something that happens at one time of a motion, between the times of the grid as a rule.
+/// An event at one time of a motion, usually between two times of the grid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Event {
-    /// When it happens.   \[s\]
+    /// The time of the event. \[s\]
     pub t: f64,
-    /// Names of the units of length and time; a motion to which the event is added knows them.
+    /// Names of the units of length and time. A motion that receives the event sets them.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
-    /// Kind of the event.
+    /// The kind of the event.
     pub kind: EventKind,
-    /// Name, as the user gave it, of the thing to which it happens, such as `slot.slide`.
+    /// The user's name of the thing to which the event happens, such as `slot.slide`.
     pub name: String,
     /// The event as a sentence.
     pub text: String,
@@ -69,13 +69,12 @@ impl std::fmt::Display for Event {
 }
 
 impl Motion {
-    /// The events of the motion, in the order in which it was run through.
+    /// Returns the events of the motion, in the order in which the run reached them.
     pub fn events(&self) -> &[Event] {
         &self.events
     }
 
-    /// Puts an event where its time belongs: after those that a run in this direction meets before
-    /// it.
+    /// Inserts an event by its time, in the direction of the run.
     pub(crate) fn add_event(&mut self, mut event: Event) {
         event.units = self.layout.words.clone();
         let backwards = matches!(self.times[..], [first, .., last] if last < first);

@@ -1,5 +1,5 @@
-//! A motion as data: what a run has found, time by time. `solve/motion/` derives from it what
-//! people ask for.
+//! A motion as data: the results of a run at each time. `solve/motion/` derives other results from
+//! it.
 
 mod crossed;
 mod event;
@@ -19,8 +19,8 @@ pub use series::Series;
 pub use singular::{Branch, SingularKind, SingularPosition};
 pub use warning::{Warning, WarningKind};
 
-/// q, q̇ and q̈ at each time (q⃛ too where it was asked for), all finite, and a report of how they
-/// were found.
+/// The result of a run: q, q̇ and q̈ at each time, all finite, with a report of the computation. It
+/// contains q⃛ if the run computed the jerk.
 #[derive(Clone)]
 pub struct Motion {
     pub(crate) name: String,
@@ -30,17 +30,17 @@ pub struct Motion {
     pub(crate) q: Vec<f64>,
     pub(crate) qd: Vec<f64>,
     pub(crate) qdd: Vec<f64>,
-    /// Empty unless the jerk was asked for.
+    /// Empty unless the run computed the jerk.
     pub(crate) qddd: Vec<f64>,
     pub(crate) iterations: Vec<usize>,
     pub(crate) residuals: Vec<f64>,
-    /// The largest residual of all times, and its row.
+    /// The largest residual of all times, and its row; `None` without a time.
     pub(crate) worst: Option<(f64, usize)>,
     pub(crate) outputs: Vec<Series>,
     pub(crate) breaks: Vec<CrossedBreak>,
     pub(crate) events: Vec<Event>,
     pub(crate) singular: Vec<SingularPosition>,
-    /// The guess that the first position was found from; empty if the motion does not begin a run.
+    /// The guess from which the run found the first position.
     pub(crate) guess: Vec<f64>,
     /// Warnings about the mechanism and the first position, from the run that begins here.
     pub(crate) begun: Vec<Warning>,
@@ -51,42 +51,44 @@ pub struct Motion {
     pub(crate) warnings: OnceLock<Vec<Warning>>,
     /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
     pub(crate) misfit: f64,
-    /// How many times a program has computed, and how often it has handed the rest of a block to
-    /// plain steps.
+    /// How many times the compiled program has computed, and how often it has returned the rest of
+    /// a block to the step-by-step solver.
     pub(crate) engine: EngineCounts,
-    /// Why there is no program, where one was looked for.
+    /// Why there is no compiled program, if the run looked for one.
     pub(crate) plain: Option<Arc<str>>,
 }
 
-/// How a run was computed; all zero where all of it was plain.
+/// How a run was computed. All numbers are zero if the step-by-step solver computed everything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct EngineCounts {
-    /// Times that a program has computed; the others are plain steps.
+    /// The number of times that the compiled program has computed; the step-by-step solver has
+    /// computed the others.
     pub compiled: usize,
-    /// How often the rest of a block of times was handed back to plain steps.
+    /// How often the program returned the rest of a block of times to the step-by-step solver.
     pub handed_back: usize,
 }
 
 impl Motion {
-    /// How many times a program has computed ([`crate::Engine::Compiled`]), and how often it has
-    /// handed the rest of a block to plain steps.
+    /// Returns how many times the compiled program has computed ([`crate::Engine::Compiled`]), and
+    /// how often it returned the rest of a block to the step-by-step solver.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
 
-    /// Why all of it was computed by plain steps, where a program would have paid: what stands in
-    /// the way, by the name of its constraint. `None` where a program was used or not looked for.
+    /// Returns the reason why the step-by-step solver computed everything although a compiled
+    /// program would have been faster. The reason names the constraint. Returns `None` if a program
+    /// was used, or if the run did not look for one.
     pub fn why_not_compiled(&self) -> Option<&str> {
         self.plain.as_deref()
     }
 
-    /// Its last time alone.
+    /// Returns a motion with only the last time.
     pub(crate) fn last(&self) -> Motion {
         self.rows(self.len().saturating_sub(1))
     }
 
-    /// The times of this motion and those of a later one; neither's events.
+    /// Joins the times of this motion and of a later one, without the events of either.
     pub(crate) fn followed_by(&self, later: &Motion) -> Motion {
         let mut whole = self.rows(0);
         whole.times.extend_from_slice(&later.times);
@@ -102,7 +104,7 @@ impl Motion {
         whole
     }
 
-    /// The times from number `first` on, without what happened there.
+    /// Returns the times from index `first` on, without their events.
     fn rows(&self, first: usize) -> Motion {
         let of = |all: &[f64]| all.get(first * self.layout.len()..).unwrap_or_default().to_vec();
         Motion {
@@ -131,70 +133,73 @@ impl Motion {
         }
     }
 
-    /// Name of the mechanism.
+    /// Returns the name of the mechanism.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Number of times.
+    /// Returns the number of times.
     pub fn len(&self) -> usize {
         self.times.len()
     }
 
-    /// True if there is no time at all.
+    /// Returns true if there is no time.
     pub fn is_empty(&self) -> bool {
         self.times.is_empty()
     }
 
-    /// The times.   \[s\]
+    /// Returns the times. \[s\]
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// q at time k, in the order of [`Motion::names`]; empty beyond the last time.   \[m, rad\]
+    /// Returns q at time k, in the order of [`Motion::names`]. It is empty beyond the last time.
+    /// \[m, rad\]
     pub fn q(&self, k: usize) -> &[f64] {
         self.row(&self.q, k)
     }
 
-    /// q̇ at time k; empty beyond the last time.   \[m/s, rad/s\]
+    /// Returns q̇ at time k. It is empty beyond the last time. \[m/s, rad/s\]
     pub fn qd(&self, k: usize) -> &[f64] {
         self.row(&self.qd, k)
     }
 
-    /// q̈ at time k; empty beyond the last time.   \[m/s², rad/s²\]
+    /// Returns q̈ at time k. It is empty beyond the last time. \[m/s², rad/s²\]
     pub fn qdd(&self, k: usize) -> &[f64] {
         self.row(&self.qdd, k)
     }
 
-    /// q⃛ at time k; empty beyond the last time, and where the run was not asked for the jerk
-    /// ([`crate::SolverOptions::jerk`]).   \[m/s³, rad/s³\]
+    /// Returns q⃛ at time k. \[m/s³, rad/s³\]
+    ///
+    /// It is empty beyond the last time, and if the run did not compute the jerk
+    /// ([`crate::SolverOptions::jerk`]).
     pub fn qddd(&self, k: usize) -> &[f64] {
         self.row(&self.qddd, k)
     }
 
-    /// q of all times without a gap: a row a time, a column a coordinate, as an array of NumPy or
-    /// ndarray lies in memory.   \[m, rad\]
+    /// Returns q of all times as one contiguous slice: a row for each time, a column for each
+    /// coordinate, like an array of NumPy or ndarray. \[m, rad\]
     pub fn q_rows(&self) -> &[f64] {
         &self.q
     }
 
-    /// q̇ of all times, as [`Motion::q_rows`].   \[m/s, rad/s\]
+    /// Returns q̇ of all times in the layout of [`Motion::q_rows`]. \[m/s, rad/s\]
     pub fn qd_rows(&self) -> &[f64] {
         &self.qd
     }
 
-    /// q̈ of all times, as [`Motion::q_rows`].   \[m/s², rad/s²\]
+    /// Returns q̈ of all times in the layout of [`Motion::q_rows`]. \[m/s², rad/s²\]
     pub fn qdd_rows(&self) -> &[f64] {
         &self.qdd
     }
 
-    /// q⃛ of all times, as [`Motion::q_rows`]; empty where the run was not asked for the
-    /// jerk.   \[m/s³, rad/s³\]
+    /// Returns q⃛ of all times in the layout of [`Motion::q_rows`]. It is empty if the run did not
+    /// compute the jerk. \[m/s³, rad/s³\]
     pub fn qddd_rows(&self) -> &[f64] {
         &self.qddd
     }
 
-    /// True if the motion holds the jerk.
+    /// Returns true if the motion contains the jerk.
     pub fn has_jerk(&self) -> bool {
         self.qddd.len() == self.q.len() && !self.is_empty()
     }
@@ -205,54 +210,56 @@ impl Motion {
         all.get(first..first.saturating_add(n)).unwrap_or_default()
     }
 
-    /// Names of the coordinates, such as `crank.theta`.
+    /// Returns the names of the coordinates, such as `crank.theta`.
     pub fn names(&self) -> &[String] {
         &self.layout.names
     }
 
-    /// Units of the coordinates: `m`, `rad` or `-`.
+    /// Returns the units of the coordinates: `m`, `rad` or `-`.
     pub fn units(&self) -> Vec<String> {
         self.layout.unit_words()
     }
 
-    /// Names of the units of length and time.
+    /// Returns the names of the units of length and time.
     pub fn unit_words(&self) -> &Units {
         &self.layout.words
     }
 
-    /// The times, and what units are called.
+    /// Returns the times and the names of the units.
     pub(crate) fn clock(&self) -> (&[f64], &Units) {
         (&self.times, &self.layout.words)
     }
 
-    /// Newton steps taken at each time.
+    /// Returns the number of Newton steps at each time.
     pub fn iterations(&self) -> &[usize] {
         &self.iterations
     }
 
-    /// max |C_i| at each time, in the unit of its row.
+    /// Returns max |C_i| at each time, in the unit of its row.
     pub fn residuals(&self) -> &[f64] {
         &self.residuals
     }
 
-    /// Name of the equation with the largest residual of all, such as `A.x`.
+    /// Returns the name of the equation with the largest residual of all times, such as `A.x`.
     pub fn worst(&self) -> Option<&str> {
         self.equations.get(self.worst?.1).map(String::as_str)
     }
 
-    /// The derived quantities added so far.
+    /// Returns the derived quantities that were added.
     pub fn outputs(&self) -> &[Series] {
         &self.outputs
     }
 
-    /// The breaks of laws that were crossed, where a derivative of the motion jumps, in the order
-    /// of time: the first 100 000 of them, and of one law between two times the first ten thousand.
+    /// Returns the breaks of laws that the run crossed, in the order of time. A derivative of the
+    /// motion jumps there.
+    ///
+    /// The list has at most 100 000 breaks, and at most ten thousand of one law between two times.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
     }
 
-    /// The singular positions that were met, change points and at last a toggle, in the order of
-    /// time; they are among [`Motion::events`] too.
+    /// Returns the singular positions of the run in the order of time: change points, and a toggle
+    /// as the last one. [`Motion::events`] contains them too.
     pub fn singular_positions(&self) -> &[SingularPosition] {
         &self.singular
     }

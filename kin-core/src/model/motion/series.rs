@@ -1,10 +1,10 @@
-//! One number over time.
+//! One quantity over time.
 
 use std::sync::Arc;
 
 use crate::model::units::Units;
 
-/// One number over time, with its name and unit.
+/// One quantity over time, with its name and unit.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Series {
     name: String,
@@ -15,7 +15,7 @@ pub struct Series {
 }
 
 impl Series {
-    /// Values in `unit` at times in the unit that `units` calls it by.
+    /// Creates a series of values in `unit`, at times in the time unit of `units`.
     pub(crate) fn new(
         name: impl Into<String>,
         unit: impl Into<String>,
@@ -31,7 +31,7 @@ impl Series {
         }
     }
 
-    /// Other values at the same times.
+    /// Creates a series of other values at the same times.
     pub(crate) fn beside(
         &self,
         name: impl Into<String>,
@@ -51,53 +51,53 @@ impl Series {
         &mut self.values
     }
 
-    /// Its name, such as `crank.theta'`.
+    /// Returns the name, such as `crank.theta'`.
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Its unit, such as `rad/s`.
+    /// Returns the unit, such as `rad/s`.
     pub fn unit(&self) -> &str {
         &self.unit
     }
 
-    /// The times.   \[s\]
+    /// Returns the times. \[s\]
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// Names of the units of length and time; the times are in the latter.
+    /// Returns the names of the units of length and time; times are in this unit of time.
     pub fn unit_words(&self) -> &Units {
         &self.units
     }
 
-    /// One value a time.
+    /// Returns the values, one for each time.
     pub fn values(&self) -> &[f64] {
         &self.values
     }
 
-    /// The largest value; NaN of an empty series.
+    /// Returns the largest value, or NaN for an empty series.
     pub fn max(&self) -> f64 {
         self.best(|a, b| a > b).map_or(f64::NAN, |k| self.values[k])
     }
 
-    /// The smallest value; NaN of an empty series.
+    /// Returns the smallest value, or NaN for an empty series.
     pub fn min(&self) -> f64 {
         self.best(|a, b| a < b).map_or(f64::NAN, |k| self.values[k])
     }
 
-    /// The time of the largest value, the first one of several; NaN of an empty series.   \[s\]
+    /// Returns the first time of the largest value, or NaN for an empty series. \[s\]
     pub fn at_max(&self) -> f64 {
         self.best(|a, b| a > b).map_or(f64::NAN, |k| self.times[k])
     }
 
-    /// The time of the smallest value, the first one of several; NaN of an empty series.   \[s\]
+    /// Returns the first time of the smallest value, or NaN for an empty series. \[s\]
     pub fn at_min(&self) -> f64 {
         self.best(|a, b| a < b).map_or(f64::NAN, |k| self.times[k])
     }
 
-    /// The root mean square over time, √(1/T ∫ x² dt) by trapezia: what heats a motor; NaN of an
-    /// empty series.
+    /// Returns the root mean square over time, √(1/T ∫ x² dt), by the trapezoidal rule. The heating
+    /// of a motor depends on it. It is NaN for an empty series.
     pub fn rms(&self) -> f64 {
         let all: Vec<(f64, f64)> =
             self.times.iter().copied().zip(self.values.iter().copied()).collect();
@@ -113,7 +113,7 @@ impl Series {
         }
     }
 
-    /// Index of the first value that no other is better than.
+    /// Returns the index of the first value such that no other value is better.
     pub(crate) fn best(&self, better: impl Fn(f64, f64) -> bool) -> Option<usize> {
         (0..self.values.len().min(self.times.len()))
             .reduce(|best, k| if better(self.values[k], self.values[best]) { k } else { best })

@@ -1,22 +1,22 @@
-//! Singular positions that a run has met.
+//! Singular positions of a run.
 
 use serde::{Deserialize, Serialize};
 
 use super::{Event, EventKind};
 use crate::model::units::Units;
 
-/// Kinds of singular positions of a motion.
+/// The kind of a singular position of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum SingularKind {
-    /// A toggle: time cannot go on, there is no position beyond.
+    /// A toggle: no position exists beyond it.
     TurningPoint,
     /// A change point: branches of the motion cross.
     Bifurcation,
 }
 
-/// One branch through a singular position, by its rates there.
+/// A branch through a singular position, with its velocities and accelerations there.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Branch {
@@ -26,34 +26,35 @@ pub struct Branch {
     pub qdd: Vec<f64>,
 }
 
-/// A position at which C_q is singular, met by a motion between times of the grid or at one of
+/// A position with a singular C_q that a motion reaches, between times of the grid or at one of
 /// them.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct SingularPosition {
-    /// When it is reached.   \[s\]
+    /// The time. \[s\]
     pub t: f64,
-    /// Kind of the singular position.
+    /// The kind of the singular position.
     pub kind: SingularKind,
     /// The position.   \[m, rad\]
     pub q: Vec<f64>,
-    /// Bodies and coordinates that can move there although everything that drives stands still.
+    /// Bodies and coordinates that can move there while all drivers are at rest.
     pub movable: Vec<String>,
     /// Equations that depend on one another there.
     pub dependent: Vec<String>,
-    /// The branches that cross there, the one that was taken first; a branch on which the drivers
-    /// stand still is not among them. None at a turning point, where q̇ has no bound.
+    /// The branches that cross there; the first is the branch that the run took. A branch on which
+    /// the drivers rest is not included. The list is empty at a turning point, where q̇ has no
+    /// bound.
     pub branches: Vec<Branch>,
 }
 
 impl SingularPosition {
-    /// All its numbers.
+    /// Returns all numbers of the position.
     pub(crate) fn numbers(&self) -> impl Iterator<Item = &f64> {
         let rates = self.branches.iter().flat_map(|branch| branch.qd.iter().chain(&branch.qdd));
         [&self.t].into_iter().chain(&self.q).chain(rates)
     }
 
-    /// The same as an event.
+    /// Returns the position as an event.
     pub(crate) fn event(&self) -> Event {
         let names: Vec<String> = self.movable.iter().map(|name| format!("`{name}`")).collect();
         let can = format!("{} can move although what drives stands still", names.join(", "));

@@ -1,4 +1,4 @@
-//! Changes to a mechanism and their reasons, in sentences.
+//! Writes changes to a mechanism, and their reasons, as sentences.
 
 use std::fmt::{Display, Formatter, Result};
 
@@ -8,7 +8,7 @@ use super::text::{SHOWN, number};
 use crate::model::error::surface::Surface;
 use crate::model::words::list;
 
-/// The cause that a change gives, where the change has been tried; it is told first.
+/// Returns the cause that a tested change reveals. The report begins with it.
 pub(super) fn cause(change: &Change) -> Option<String> {
     match change {
         Change::Resize { any } if any.len() == 1 => {
@@ -54,7 +54,7 @@ pub(super) fn cause(change: &Change) -> Option<String> {
     }
 }
 
-/// "`crank 3` is 1.100 long"
+/// Writes "`crank 3` is 1.100 long".
 struct Is<'a>(&'a Resize);
 
 impl Display for Is<'_> {
@@ -73,7 +73,7 @@ impl Display for Is<'_> {
     }
 }
 
-/// "make `crank 3` 1.000 long"
+/// Writes "make `crank 3` 1.000 long".
 impl Display for Resize {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let bound = match (self.exact, self.fits.first() > self.is.first()) {
@@ -113,7 +113,7 @@ impl Display for Value {
             return write!(f, "{}", number(x));
         }
         let rounded = match self.up {
-            // A value that is on the step but for rounding stays there.
+            // A value that equals a step except for rounding stays there.
             Some(true) => (x / step - 1e-6).ceil() * step,
             Some(false) => (x / step + 1e-6).floor() * step,
             None => x,
@@ -126,7 +126,7 @@ impl Display for Value {
     }
 }
 
-/// "(0.500, 0.000)", or the number alone.
+/// Writes "(0.500, 0.000)", or a single number.
 struct Point<'a>(&'a [f64]);
 
 impl Display for Point<'_> {
@@ -254,8 +254,8 @@ fn hold_idle(f: &mut Formatter<'_>, bodies: &[String]) -> Result {
     )
 }
 
-/// "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler` at least
-/// 0.5607 long"
+/// Writes "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler`
+/// at least 0.5607 long".
 fn limit(f: &mut Formatter<'_>, constraint: &str, asks: Option<&Asks>, or: &[Resize]) -> Result {
     match asks.filter(|asks| asks.is_more_than_a_turn()) {
         Some(asks) => {
@@ -273,7 +273,7 @@ fn limit(f: &mut Formatter<'_>, constraint: &str, asks: Option<&Asks>, or: &[Res
     or.iter().try_for_each(|resize| write!(f, ", or {resize}"))
 }
 
-/// "row x", "rows x, y".
+/// Writes "row x", "rows x, y".
 fn rows_named(rows: &[String]) -> String {
     format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, rows.join(", "))
 }

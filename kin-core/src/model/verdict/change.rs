@@ -4,73 +4,74 @@ use serde::{Deserialize, Serialize};
 
 use super::gap::{Asks, Step};
 
-/// One thing to change in the model.
+/// A single change of the model.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Change {
-    /// Leave a constraint out.
+    /// Remove a constraint.
     Remove {
         /// The constraint.
         constraint: String,
-        /// Constraints of which any could be left out in its place: other drivers that contradict
-        /// it, or joints of one row.
+        /// Other constraints that the user could remove instead: drivers that contradict this one,
+        /// or joints of one row.
         or: Vec<String>,
     },
-    /// Change a dimension by which a joint can be met.
+    /// Change a dimension so that a joint closes.
     Fit {
         /// The joint.
         constraint: String,
-        /// The gap of the joint.   \[unit of the joint's rows\]
+        /// The gap of the joint. \[unit of the joint's rows\]
         missing: f64,
-        /// Names of its rows that could be left out in place of it; all of them if the whole joint
-        /// could.
+        /// The rows that the user could remove instead; all rows if the whole joint could be
+        /// removed.
         or_drop: Vec<String>,
-        /// How many rows it has.
+        /// The number of rows of the joint.
         of: usize,
     },
-    /// Give a dimension another value, any one of these: with it everything closes, and what drives
-    /// has something to drive.
+    /// Give one of these dimensions another value. Then the mechanism closes, and its drivers can
+    /// move it.
     Resize {
-        /// The likeliest first.
+        /// The possible changes, the most likely first.
         any: Vec<Resize>,
     },
-    /// Allow redundant equations to contradict one another by this share of the mechanism's size,
-    /// [`crate::SolverOptions::allowed_misfit`]: they do so by no more than parts of ordinary
-    /// accuracy.
+    /// Allow redundant equations to contradict each other by this share of the mechanism's size
+    /// ([`crate::SolverOptions::allowed_misfit`]). Parts of ordinary accuracy cause contradictions
+    /// of this size.
     Allow {
         /// The misfit to allow.   \[-\]
         misfit: f64,
     },
-    /// Two points of a constraint are exchanged: each is a point of the other's body.
+    /// Exchange two points of a constraint: each is a point of the other body.
     Swap {
         /// The constraint.
         constraint: String,
-        /// Its bodies in their order.
+        /// The bodies, in order.
         bodies: [String; 2],
-        /// The points that were given for them.   \[m\]
+        /// The points that the user gave for them. \[m\]
         points: [Vec<f64>; 2],
     },
-    /// Points are given in the global frame where those of a body are wanted.
+    /// Convert points from the global frame to the frames of their bodies.
     Local {
-        /// All of them.
+        /// All such points.
         points: Vec<GlobalPoint>,
     },
-    /// Two constraints hold the same end of a body, and none its other end.
+    /// Move one of two constraints to the other end of a body: both hold the same end.
     OtherEnd {
         /// The constraints.
         constraints: [String; 2],
         /// The body.
         body: String,
-        /// The end that both hold, in the body.   \[m\]
+        /// The end that both hold, in the frame of the body. \[m\]
         point: Vec<f64>,
     },
-    /// Ask less of a driver: what it asks for is beyond what the mechanism can reach.
+    /// Reduce the range of a driver: its value is beyond the reach of the mechanism.
     Limit {
         /// The driver.
         constraint: String,
-        /// For a driver of one coordinate: what it asks for, and the nearest to it that was found.
+        /// For a driver of one coordinate: its value, and the nearest value that Kin found. `None`
+        /// for other drivers.
         asks: Option<Asks>,
-        /// Dimensions that could be others instead.
+        /// Dimensions that the user could change instead.
         or: Vec<Resize>,
     },
     /// Replace the step of an equation by a smooth function, or keep the coordinate away from it.
@@ -78,66 +79,67 @@ pub enum Change {
         /// The step.
         step: Step,
     },
-    /// Leave some rows of a constraint out: a joint that holds less.
+    /// Remove some rows of a constraint: use a joint that holds less.
     Drop {
         /// The constraint.
         constraint: String,
-        /// Names of its rows that are superfluous.
+        /// The redundant rows.
         rows: Vec<String>,
-        /// A joint of the library that holds just the rest, in words.
+        /// A joint of the library with exactly the remaining rows, in words.
         instead: Option<String>,
     },
-    /// Drive a coordinate, or hold it.
+    /// Drive or hold a coordinate.
     Drive {
         /// The coordinate.
         coordinate: String,
-        /// The body whose turn is meant by it, where that is no coordinate of its own: of a spatial
-        /// one.
+        /// For a spatial body the body whose rotation the coordinate means; `None` for other
+        /// coordinates.
         turn: Option<String>,
-        /// The bodies that would move with it.
+        /// The bodies that move with the coordinate.
         moves: Vec<String>,
     },
-    /// Let one of these joints hold less, and add a motor: together they hold everything, and
-    /// nothing drives.
+    /// Replace one of these joints by a joint with more freedoms, and add a motor. At present the
+    /// joints remove all freedoms, and the mechanism has no driver.
     Loosen {
         /// The joints.
         constraints: Vec<String>,
     },
-    /// Join a body to others: no constraint holds it.
+    /// Connect a body to others: no constraint holds it.
     Join {
         /// The body or coordinate.
         body: String,
     },
-    /// Join two planar bodies that are held by one joint each, or drive both.
+    /// Connect two planar bodies that one joint each holds, or drive both.
     Pin {
         /// The bodies.
         bodies: [String; 2],
-        /// The coordinates that could be driven instead.
+        /// The coordinates that the user could drive instead.
         coordinates: [String; 2],
     },
-    /// Hold a turn that nothing depends on, [`crate::Mechanism::hold_idle_turns`]; or make the body
-    /// a `distance` between its points.
+    /// Hold a rotation on which nothing depends ([`crate::Mechanism::hold_idle_turns`]), or replace
+    /// the body by a `distance` between its points.
     HoldIdle {
-        /// The bodies that turn as one.
+        /// The bodies that rotate together.
         bodies: Vec<String>,
     },
 }
 
-/// Another value for a dimension.
+/// A new value for a dimension.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Resize {
-    /// The owner of the dimension.
+    /// The dimension.
     pub of: Size,
-    /// Its present value.   \[m, or the unit of the parameter\]
+    /// The present value. \[m, or the unit of the parameter\]
     pub is: Vec<f64>,
-    /// A value that fits.
+    /// A value that closes the mechanism.
     pub fits: Vec<f64>,
-    /// True if only that value fits; false if those beyond it, seen from the present one, do too.
+    /// True if only this value works. False if all values beyond it, seen from the present one,
+    /// work too.
     pub exact: bool,
 }
 
-/// The owner of a dimension.
+/// A dimension of the mechanism.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Size {
@@ -150,32 +152,32 @@ pub enum Size {
     Number {
         /// The constraint.
         constraint: String,
-        /// Its parameter.
+        /// The parameter.
         parameter: String,
     },
     /// A point of a constraint.
     Point {
         /// The constraint.
         constraint: String,
-        /// Its parameter.
+        /// The parameter.
         parameter: String,
-        /// The body in which it is; `None` for the ground.
+        /// The body that contains the point; `None` for the ground.
         body: Option<String>,
     },
 }
 
-/// A point that was given in the global frame.
+/// A point that the user gave in the global frame.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct GlobalPoint {
     /// The constraint.
     pub constraint: String,
-    /// Its parameter, such as `u_j`.
+    /// The parameter, such as `u_j`.
     pub point: String,
-    /// The body in which it is taken.
+    /// The body to which the parameter belongs.
     pub body: String,
-    /// The point as it was given.   \[m\]
+    /// The given point. \[m\]
     pub given: Vec<f64>,
-    /// Where that is in the body as it is drawn.   \[m\]
+    /// Its local position in the body as it is drawn. \[m\]
     pub local: Vec<f64>,
 }

@@ -2,38 +2,39 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Classes of dependencies.
+/// The class of a dependency.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Class {
-    /// One equation repeats others, at nearby poses too, and all can be met: harmless.
+    /// One equation repeats others, at nearby poses too, and all can be satisfied. This is
+    /// harmless.
     Redundant,
-    /// The equations cannot be met together.
+    /// The equations cannot be satisfied together.
     Contradictory {
-        /// In positions, velocities or accelerations.
+        /// The level on which they contradict each other.
         level: Level,
-        /// Σ coefficient · equation, which should be zero and cannot be. Of several equations of a
-        /// constraint with a gap it can be zero for some: those across the gap.   \[unit of the
-        /// dependent row; /s; /s²\]
+        /// Σ coefficient · equation, which should be zero and is not. It can be zero for some
+        /// equations of a constraint with a gap: those across the gap. \[unit of the dependent row;
+        /// /s; /s²\]
         residual: f64,
     },
-    /// The equations depend on one another at this pose, not at nearby ones.
+    /// The equations depend on one another at this pose, but not at nearby poses.
     OnlyHere,
 }
 
-/// Where a contradiction shows.
+/// The level of a contradiction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Level {
-    /// C(q, t) = 0 has no solution there.
+    /// C(q, t) = 0 has no solution.
     Position,
-    /// C_q q̇ = −C_t has none.
+    /// C_q q̇ = −C_t has no solution.
     Velocity,
-    /// C_q q̈ = Q_d has none.
+    /// C_q q̈ = Q_d has no solution.
     Acceleration,
 }
 
-/// One equation in a dependency.
+/// One equation of a dependency.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Term {
@@ -41,25 +42,27 @@ pub struct Term {
     pub constraint: String,
     /// The equation, such as `B.x`.
     pub equation: String,
-    /// Its number in the system.
+    /// The row of the equation in the system.
     pub row: usize,
-    /// Its coefficient.   \[unit of the dependent row / unit of this row\]
+    /// The coefficient. \[unit of the dependent row / unit of this row\]
     pub coefficient: f64,
 }
 
-/// Σ coefficient · ∂C_i/∂q = 0 over a minimal set: without any of them the others are independent.
+/// A minimal set of equations with Σ coefficient · ∂C_i/∂q = 0. Without any one of them the others
+/// are independent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Dependency {
-    /// Its class.
+    /// The class.
     pub class: Class,
-    /// The terms; the first one, with the coefficient 1, is the equation that is called
-    /// superfluous. Those of the norms of Euler parameters, which nobody wrote, are left out.
+    /// The terms. The first one has the coefficient 1; it is the redundant equation. Norms of Euler
+    /// parameters are omitted, because no user wrote them.
     pub terms: Vec<Term>,
 }
 
 impl Dependency {
-    /// Names of the constraints that take part, that of the superfluous equation first, each once.
+    /// Returns the names of the constraints in the dependency, each once. The first is that of the
+    /// redundant equation.
     pub fn constraints(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         for term in &self.terms {

@@ -1,21 +1,21 @@
-//! Where to begin instead.
+//! Where to start instead of a singular position.
 
 use serde::{Deserialize, Serialize};
 
 use super::gap::Asks;
 
-/// A way to a position that is not singular.
+/// A way to reach a position that is not singular.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Elsewhere {
-    /// Another time.   \[s\]
+    /// Another time. \[s\]
     Time(f64),
-    /// Another value for a driver.
+    /// Another value of a driver.
     Drive {
         /// The driver.
         constraint: String,
-        /// Its present value, and the one to ask for: where the coordinate stands at a position
-        /// that is not singular.
+        /// The present value of the driver, and the coordinate's value at a position that is not
+        /// singular.
         asks: Asks,
     },
 }

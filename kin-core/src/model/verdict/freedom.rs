@@ -1,117 +1,118 @@
-//! Motions that nothing holds or drives.
+//! Motions that no constraint holds or drives.
 
 use serde::{Deserialize, Serialize};
 
 use crate::numbers::algebra::Vec3;
 
-/// Persistence of a freedom at nearby poses.
+/// The persistence of a freedom: says whether it exists at nearby poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Persistence {
-    /// The freedom is there at this pose and at nearby ones: nothing holds or drives it.
+    /// The freedom exists at this pose and nearby: no constraint holds or drives it.
     Always,
-    /// The freedom is there at this pose, not at nearby ones: a toggle or a change point.
+    /// The freedom exists at this pose only: a toggle or a change point.
     OnlyHere,
-    /// The freedom is one of first order only: the structure gives, but it cannot move.
+    /// The freedom is of first order only: the structure is shaky, but it cannot move.
     Infinitesimal,
 }
 
-/// How a body moves at this instant. Rates are relative to those of the other bodies in the same
-/// freedom.
+/// How a body moves at this instant. Velocities are relative to those of the other bodies of the
+/// same freedom.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum How {
-    /// A planar body turns about a point.   \[m; rad\]
+    /// A planar body rotates about a point. \[m; rad\]
     TurnsAbout {
-        /// The global point that stands still.
+        /// The global point at rest.
         point: [f64; 2],
-        /// The angular rate.
+        /// The angular velocity.
         rate: f64,
     },
     /// A planar body slides.   \[m\]
     Slides {
-        /// The global direction, of length 1.
+        /// The global direction, a unit vector.
         along: [f64; 2],
         /// The speed.
         rate: f64,
     },
-    /// A spatial body turns about an axis, and slides along it.   \[m; rad; m/rad\]
+    /// A spatial body rotates about an axis and slides along it. \[m; rad; m/rad\]
     Screws {
-        /// The point of the axis nearest the origin of the body frame, global.
+        /// The point of the axis nearest to the origin of the body frame, in global components.
         point: [f64; 3],
-        /// The global direction, of length 1.
+        /// The global direction, a unit vector.
         axis: [f64; 3],
-        /// The angular rate.
+        /// The angular velocity.
         rate: f64,
-        /// How far it slides a radian; 0: it only turns.
+        /// The displacement per radian; 0 if the body only rotates.
         pitch: f64,
     },
     /// A spatial body slides.   \[m\]
     SlidesInSpace {
-        /// The global direction, of length 1.
+        /// The global direction, a unit vector.
         along: [f64; 3],
         /// The speed.
         rate: f64,
     },
-    /// A bare coordinate changes, or the Euler parameters of a body lose their norm.
+    /// A scalar coordinate changes, or the Euler parameters of a body lose their norm.
     Changes {
-        /// Its rate.
+        /// The velocity.
         rate: f64,
     },
 }
 
-/// Bodies that move as one.
+/// Bodies that move together.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BodyMotion {
-    /// The bodies, or the bare coordinate.
+    /// The bodies, or the scalar coordinate.
     pub names: Vec<String>,
     /// How they move.
     pub how: How,
 }
 
-/// One motion that is left free.
+/// One free motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Freedom {
-    /// Its persistence at nearby poses.
+    /// Says whether the freedom exists at nearby poses.
     pub persistence: Persistence,
-    /// The motions of the bodies that move.
+    /// The motions of the bodies.
     pub motions: Vec<BodyMotion>,
-    /// A coordinate that takes part and in no other of the freedoms: drive it, and the freedom is
-    /// gone.
+    /// A coordinate that takes part in this freedom and in no other. A driver of this coordinate
+    /// removes the freedom.
     pub coordinate: String,
-    /// The motion in coordinates, C_q q̇ = 0 (length n); empty where all freedoms together would
-    /// take more than 2²² numbers: [`Freedom::motions`] says the same.   \[m, rad\]
+    /// The motion in coordinates, C_q q̇ = 0 (length n). It is empty if all freedoms together would
+    /// need more than 2²² numbers; [`Freedom::motions`] then still describes the motion. \[m, rad\]
     pub direction: Vec<f64>,
-    /// True if nothing depends on it: bodies that are held by points of one line turn about that
-    /// line, a rod between two balls.
+    /// True if nothing depends on the freedom: points of one line hold the bodies, which rotate
+    /// about that line, like a rod between two ball joints.
     #[serde(default)]
     pub idle: bool,
-    /// Of an infinitesimal freedom: how far play in the joints lets it move.
+    /// For an infinitesimal freedom the distance that play in the joints allows; otherwise `None`.
     #[serde(default)]
     pub play: Option<Play>,
 }
 
-/// How far play lets a shaky structure move, which without play is rigid: by about √(2 ε Λ / κ)
-/// along the motion n of first order, with ε the play of every joint, κ = l · (C_q n)_q n the
-/// second order that holds it, lᵀ C_q = 0, and Λ the sum of the forces |l| in the joints.
+/// The distance that play allows a shaky structure to move; without play it is rigid.
+///
+/// The structure moves by about √(2 ε Λ / κ) along the motion n of first order. ε is the play of
+/// every joint, κ = l · (C_q n)_q n is the holding term of second order with lᵀ C_q = 0, and Λ is
+/// the sum of the forces |l| in the joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Play {
-    /// The body or bare coordinate that moves furthest.
+    /// The body or scalar coordinate that moves furthest.
     pub body: String,
-    /// The play of every joint that is looked at: four times as much lets the body move twice as
-    /// far.   \[m\]
+    /// The assumed play of every joint. With four times the play the body moves twice as far. \[m\]
     pub play: f64,
-    /// How far the origin of the body moves, to either side.   \[m\]
+    /// The displacement of the body's origin, to each side. \[m\]
     pub moves: f64,
-    /// How far the body turns, to either side.   \[rad\]
+    /// The rotation of the body, to each side. \[rad\]
     pub turns: f64,
 }
 
 impl Freedom {
-    /// The first body that turns, and the global axis about which it does.
+    /// Returns the first body that rotates, and the global axis of its rotation.
     pub(crate) fn turn(&self) -> Option<(&str, Vec3)> {
         self.motions.iter().find_map(|motion| match motion.how {
             How::Screws { axis: [x, y, z], .. } => {

@@ -1,4 +1,4 @@
-//! The line of a report about a constraint that cannot be met.
+//! Writes the line of a report about a constraint that cannot be satisfied.
 
 use std::fmt::{Display, Formatter, Result};
 
@@ -7,7 +7,7 @@ use super::gap::{Against, Gap, Step};
 use super::text::{SHOWN, number};
 use crate::model::words::list;
 
-/// A gap, with the constraints it is in conflict with.
+/// A gap, with the constraints that conflict with it.
 pub(super) struct GapLine<'a>(pub &'a Gap, pub &'a Diagnosis);
 
 impl Display for GapLine<'_> {
@@ -30,7 +30,7 @@ impl Display for GapLine<'_> {
             false => format!("with {}", self.named(&others)),
         };
         let name = &gap.constraint;
-        // Beside a step a solution may be near that no search finds.
+        // Near a step there may be a solution that the search does not find.
         let (what, cannot) = match (gap.lasting, gap.steps.is_empty()) {
             (true, _) => ("contradictory", "cannot be"),
             (false, true) => ("out of reach", "cannot be"),
@@ -67,7 +67,7 @@ impl Display for GapLine<'_> {
     }
 }
 
-/// "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
+/// Writes "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
 impl Display for Step {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let Step { equation, coordinate, at, from, to, .. } = self;
@@ -77,7 +77,7 @@ impl Display for Step {
 }
 
 impl GapLine<'_> {
-    /// "`motor` (crank.theta = 1.0000), `O`, `A`": drivers first, with what they ask for.
+    /// Writes "`motor` (crank.theta = 1.0000), `O`, `A`": drivers first, with their values.
     fn named(&self, names: &[String]) -> String {
         let asks =
             |name: &String| self.0.against.iter().find(|against| against.constraint == *name);
@@ -103,7 +103,7 @@ impl GapLine<'_> {
     }
 }
 
-/// Two numbers with as many decimals as tell them apart, four at least.
+/// Writes two numbers with enough decimals to distinguish them, at least four.
 fn different(a: f64, b: f64) -> [String; 2] {
     let with = |decimals: usize| [format!("{a:.decimals$}"), format!("{b:.decimals$}")];
     (4..12).map(with).find(|[a, b]| a != b).unwrap_or_else(|| with(12))

@@ -1,4 +1,4 @@
-//! Verdict on a mechanism as data, and the words for it. `ask/diagnosis/` finds it out.
+//! The diagnosis of a mechanism as data, and its text. `ask/diagnosis/` computes it.
 
 mod advice;
 mod change;

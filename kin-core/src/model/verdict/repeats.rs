@@ -1,11 +1,11 @@
-//! Many equations of one constraint that repeat others are told in one line.
+//! Combines many equations of one constraint that repeat others to one line.
 
 use std::fmt::{Display, Formatter, Result};
 
 use super::dependency::{Class, Dependency};
 use crate::model::words::list;
 
-/// One dependency, or all of a constraint that repeats others in more than this many equations.
+/// A constraint that repeats others in more equations than this gets one line for all of them.
 const MANY: usize = 2;
 
 /// A line of the report.
@@ -14,8 +14,8 @@ pub(super) enum Line<'a> {
     Many(Vec<&'a Dependency>),
 }
 
-/// The dependencies in their order, those of a constraint that repeats others in many equations
-/// together.
+/// Returns the dependencies in order. Those of a constraint with many repeated equations share a
+/// line.
 pub(super) fn gathered<'a>(all: &[&'a Dependency]) -> Vec<Line<'a>> {
     let own = |found: &Dependency| {
         found

@@ -1,4 +1,4 @@
-//! The report for people.
+//! Writes the report for people.
 
 use std::collections::HashSet;
 use std::fmt::{Display, Formatter, Result};
@@ -14,7 +14,7 @@ use super::gap_line::GapLine;
 use super::repeats;
 use crate::model::words::{count, list, time};
 
-/// Dependencies and freedoms that are written out.
+/// The largest number of dependencies and of freedoms in a report.
 pub(super) const SHOWN: usize = 6;
 
 impl Display for Diagnosis {
@@ -40,7 +40,7 @@ impl Display for Diagnosis {
     }
 }
 
-/// All but the first line.
+/// All lines except the first.
 struct Details<'a>(&'a Diagnosis);
 
 impl Display for Details<'_> {
@@ -50,7 +50,7 @@ impl Display for Details<'_> {
 }
 
 impl Diagnosis {
-    /// The report without its first line, each line on a new one.
+    /// Returns the report without its first line; each line begins on a new one.
     pub(crate) fn details(&self) -> impl Display {
         Details(self)
     }
@@ -73,7 +73,7 @@ impl Diagnosis {
         if self.is_cured() {
             return self.advice(f);
         }
-        // A conflict of positions is told with its gap, and so are other equations of the same
+        // The line of a gap includes its conflict of positions and the other equations of the
         // constraint.
         let open = |found: &Dependency| {
             found
@@ -88,8 +88,8 @@ impl Diagnosis {
         let dependencies: Vec<&Dependency> =
             self.dependencies.iter().filter(|found| !told(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
-        // Beside a gap only lasting freedoms are real: the others are there because the gap is the
-        // smallest.
+        // If there is a gap, only lasting freedoms are real. The others exist because the gap is
+        // smallest there.
         let joined = self.joined();
         let joins = |freedom: &Freedom| {
             let mut names = freedom.motions.iter().flat_map(|motion| &motion.names);
@@ -102,8 +102,8 @@ impl Diagnosis {
         self.advice(f)
     }
 
-    /// Says that the pose is a special one, and which pose is not: one at another time, with
-    /// another value or dimension.
+    /// Says that the pose is special, and names a pose that is not: another time, value or
+    /// dimension.
     fn special(&self, f: &mut Formatter<'_>) -> Result {
         if self.rank < self.nearby_rank {
             match &self.elsewhere {
@@ -149,7 +149,8 @@ impl Diagnosis {
         }
     }
 
-    /// ": a play of 0.0001 m in the joints lets `b` move by 0.0071 m and turn by 0.0301 rad, …"
+    /// Writes ": a play of 0.0001 m in the joints lets `b` move by 0.0071 m and turn by 0.0301 rad,
+    /// …".
     fn play(&self, f: &mut Formatter<'_>, Play { body, play, moves, turns }: &Play) -> Result {
         let length = self.units.length();
         write!(f, ": a play of {play} {length} in every joint lets `{body}` ")?;
@@ -163,7 +164,7 @@ impl Diagnosis {
         f.write_str("; a quarter of the play still gives half of that.")
     }
 
-    /// True if a change has been tried with which everything closes and moves: its cause then
+    /// Returns true if Kin has tested a change with which everything closes and moves. Its cause
     /// explains all other faults at this pose.
     fn is_cured(&self) -> bool {
         self.equations >= self.coordinates
@@ -173,7 +174,7 @@ impl Diagnosis {
             })
     }
 
-    /// The bodies that no constraint holds, or one only, of which a change tells already.
+    /// Returns the bodies with no or one constraint that a change already names.
     fn joined(&self) -> HashSet<&str> {
         let mut all = HashSet::new();
         for change in &self.changes {
@@ -240,7 +241,7 @@ impl Display for Dependency {
     }
 }
 
-/// " = 1.00 × `a` − 0.50 × `b`"
+/// Writes " = 1.00 × `a` − 0.50 × `b`".
 struct Sum<'a>(&'a [Term]);
 
 impl Display for Sum<'_> {
@@ -335,7 +336,8 @@ impl Display for Vector {
     }
 }
 
-/// Three decimals, or three digits of what is smaller; as a power of ten where it is far from 1.
+/// Writes three decimals, or three digits of a smaller number; a number far from 1 as a power of
+/// ten.
 pub(super) fn number(x: f64) -> String {
     match x.abs() {
         0.0 => "0.000".to_string(),

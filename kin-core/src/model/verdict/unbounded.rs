@@ -1,4 +1,4 @@
-//! Numbers that may be infinite, which JSON does not know: `null` stands for +∞.
+//! Numbers that can be infinite. JSON has no infinity, so `null` means +∞.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

@@ -1,27 +1,28 @@
-//! An axis of a spatial body, with the directions across it.
+//! The axis of a spatial body, with two directions across it.
 
 use super::{Components, Mix, Mixed, Scalar, Vec3};
 
-/// A direction in a spatial body with two others across it: unit vectors h, f and g = h × f, all
-/// local to the body.   \[–\]
+/// A direction h in a spatial body with two unit vectors f and g = h × f across it, all in the
+/// frame of the body. \[–\]
 ///
-/// f is where angles about h are measured from, by the right-hand rule. They are worked out once,
-/// when the axis is made: a joint whose kept components depended on the pose would lose rank at
-/// some of them. Any `Vec3` is an axis with an f of Kin's choice (x for z, y for x, z for y);
-/// [`Axis::new`] chooses f.
+/// Angles about h count from f, by the right-hand rule. The vectors are computed once, when the
+/// axis is made. If a joint chose them by the pose, it would lose rank at some poses. A `Vec3`
+/// becomes an axis with an f that Kin chooses (x for z, y for x, z for y); [`Axis::new`] sets f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis<T = f64> {
-    /// Along the axis.
+    /// The unit vector along the axis.
     pub h: Vec3<T>,
-    /// Across it: angles about h count from here.
+    /// The unit vector across the axis at the angle 0.
     pub f: Vec3<T>,
-    /// h × f: an angle of 90°.
+    /// The unit vector h × f, at the angle 90°.
     pub g: Vec3<T>,
 }
 
 impl Axis {
-    /// The axis along `h`; `f` is made perpendicular to it. A direction that is zero, or an `f`
-    /// along `h`, gives vectors that are not numbers, which a mechanism refuses by name.
+    /// Creates the axis along `h`, with the part of `f` perpendicular to it.
+    ///
+    /// If `h` is zero, or `f` is along `h`, the vectors are NaN, and a mechanism returns an error
+    /// that names the axis.
     pub fn new<S: Scalar + Mix<T>, T: Scalar>(
         h: impl Components<3, Scalar = S>,
         f: impl Components<3, Scalar = T>,
@@ -31,48 +32,49 @@ impl Axis {
         Axis::of(h.into(), f.into())
     }
 
-    /// The axis along `h`, with an f of Kin's choice: across h, nearest to the axis of the body's
-    /// frame that follows h's largest component.
+    /// Creates the axis along `h`, with an f that Kin chooses.
+    ///
+    /// f is the direction across h that is nearest to an axis of the body frame: the axis that
+    /// follows the largest component of h.
     pub fn along(h: impl Into<Vec3>) -> Self {
         Axis::of_direction(h.into())
     }
 
-    /// The name of number `part` of the nine of an axis: `NAME.h.x`, …, `NAME.g.z`.
+    /// Returns the name of number `part` of the nine numbers of an axis: `NAME.h.x`, …, `NAME.g.z`.
     pub(crate) fn name_of(name: &str, part: usize) -> String {
         let pick = |of: [&'static str; 3], k: usize| of.get(k).copied().unwrap_or_default();
         format!("{name}.{}.{}", pick(["h", "f", "g"], part / 3), pick(["x", "y", "z"], part % 3))
     }
 
-    /// True if the vectors are numbers: the directions that made the axis were neither zero nor
-    /// parallel.
+    /// Returns true if the vectors are finite: the given directions were neither zero nor parallel.
     pub(crate) fn is_sound(&self) -> bool {
         [self.h, self.f].iter().all(|v| v.to_array().iter().all(|x| x.is_finite()))
     }
 }
 
 impl<T: Scalar> Vec3<T> {
-    /// The axis along a direction that does not move: [`Axis::along`] for any numbers, for measures
-    /// of joints that hold the direction alone.
+    /// Returns the axis along a constant direction, like [`Axis::along`] for any numbers. Measures
+    /// of joints that know only the direction use it.
     pub fn axis(self) -> Axis<T> {
         Axis::along(self.plain()).map(|v| v.map(Into::into))
     }
 
-    /// The same with f as near to another direction as may be, the part of it across the axis;
-    /// where there is none, f is of Kin's choice.
+    /// Returns the axis with f as close as possible to another direction. If that direction is
+    /// along the axis, Kin chooses f.
     pub fn axis_near(self, f: Vec3<T>) -> Axis<T> {
         let chosen = Axis::new(self.plain(), f.plain());
         let axis = if chosen.is_sound() { chosen } else { Axis::along(self.plain()) };
         axis.map(|v| v.map(Into::into))
     }
 
-    /// Its components as plain numbers.
+    /// Returns the components as plain numbers.
     fn plain(self) -> Vec3 {
         Vec3::new(self.x.value(), self.y.value(), self.z.value())
     }
 }
 
 impl<T: Scalar> Axis<T> {
-    /// [`Axis::along`] of any numbers; f is chosen by their values.
+    /// Computes [`Axis::along`] for any numbers. Their values select f.
     fn of_direction(h: Vec3<T>) -> Self {
         let h = unit(h);
         let [x, y, z] = h.to_array().map(|x| x.value().abs());
@@ -84,7 +86,7 @@ impl<T: Scalar> Axis<T> {
         Axis::of(h, after_the_largest.map(T::from))
     }
 
-    /// The axis by three components of h, or by three of h and three of f.
+    /// Returns the axis from three components of h, or from three of h and three of f.
     pub(crate) fn given(components: &[T]) -> Self {
         let vector =
             |from: usize| components.get(from..).and_then(|rest| rest.first_chunk::<3>()).copied();
@@ -95,7 +97,7 @@ impl<T: Scalar> Axis<T> {
         }
     }
 
-    /// [`Axis::new`] of numbers of one kind.
+    /// Computes [`Axis::new`] for numbers of one kind.
     pub(crate) fn of(h: Vec3<T>, f: Vec3<T>) -> Self {
         let h = unit(h);
         let f = unit(f);
@@ -103,13 +105,13 @@ impl<T: Scalar> Axis<T> {
         Axis { h, f, g: h.cross(f) }
     }
 
-    /// Its nine numbers in the order of their names.
+    /// Returns the nine numbers in the order of their names.
     pub(crate) fn numbers(self) -> [T; 9] {
         let Axis { h, f, g } = self;
         [h.x, h.y, h.z, f.x, f.y, f.z, g.x, g.y, g.z]
     }
 
-    /// An axis of other numbers.
+    /// Applies a function to each of the three vectors.
     pub(crate) fn map<S>(self, number: impl Fn(Vec3<T>) -> Vec3<S>) -> Axis<S> {
         Axis { h: number(self.h), f: number(self.f), g: number(self.g) }
     }
@@ -121,15 +123,15 @@ impl<V: Into<Vec3>> From<V> for Axis {
     }
 }
 
-/// v/|v|, whatever its size; not a number if it is zero.
+/// Returns v/|v| without overflow or underflow, or NaN if v is zero.
 fn unit<T: Scalar>(v: Vec3<T>) -> Vec3<T> {
     let largest = v.to_array().iter().fold(0.0_f64, |m, x| m.max(x.value().abs()));
     let v = v / T::from(largest);
     v / v.norm()
 }
 
-/// The part of a unit vector `f` across the unit vector `h`, of length one; not a number if there
-/// is none.
+/// Returns the part of a unit vector `f` across the unit vector `h`, normalised, or NaN if there is
+/// none.
 fn across<T: Scalar>(h: Vec3<T>, f: Vec3<T>) -> Vec3<T> {
     let part = f - h * h.dot(f);
     if part.norm().value() > 1e-9 { unit(part) } else { part / T::from(0.0) }

@@ -1,7 +1,7 @@
-//! Operations that all vectors and matrices share, written once.
+//! Operations that all vectors and matrices share.
 
-/// `a ∘ b` for two kinds over one number, and for one over `Real<D>` with one over `f64`, in both
-/// orders.
+/// Implements `a ∘ b` for two kinds over the same number, and for one over `Real<D>` with one over
+/// `f64`, in both orders.
 macro_rules! mixed {
     ($op:ident::$f:ident, $l:ident, $r:ident => $out:ident, |$a:ident, $b:ident| $e:expr) => {
         by_ref!([T: Scalar] $op::$f, $l<T>, $r<T> => $out<T>, |$a, $b| $e);
@@ -10,8 +10,8 @@ macro_rules! mixed {
     };
 }
 
-/// Arithmetic component by component: ±, negation, times and by a number, sums, conversions of the
-/// components.
+/// Implements arithmetic component by component: ±, negation, products with and quotients by a
+/// number, sums, conversions of the components.
 macro_rules! componentwise {
     ($kind:ident { $($c:ident),* }) => {
         mixed!(Add::add, $kind, $kind => $kind, |a, b| $kind { $($c: a.$c + b.$c),* });
@@ -70,7 +70,7 @@ macro_rules! componentwise {
         }
 
         impl<D: Dual> From<$kind<f64>> for $kind<Real<D>> {
-            /// The same components, without derivatives.
+            /// Returns the components without derivatives.
             #[inline]
             fn from(a: $kind<f64>) -> Self {
                 a.map(Real::from)
@@ -78,7 +78,7 @@ macro_rules! componentwise {
         }
 
         impl<D: Dual> From<&$kind<f64>> for $kind<Real<D>> {
-            /// The same components, without derivatives.
+            /// Returns the components without derivatives.
             #[inline]
             fn from(a: &$kind<f64>) -> Self {
                 a.map(Real::from)
@@ -86,7 +86,7 @@ macro_rules! componentwise {
         }
 
         impl $kind {
-            /// All components zero, in `f64`, which mixes with `Real<D>`.
+            /// Returns zero components in `f64`, which mix with `Real<D>`.
             #[inline]
             pub const fn zeros() -> Self {
                 $kind { $($c: 0.0),* }
@@ -94,7 +94,7 @@ macro_rules! componentwise {
         }
 
         impl<T: Scalar> $kind<T> {
-            /// Each component through `f`: `v.map(Scalar::value)` drops derivatives.
+            /// Applies `f` to each component: `v.map(Scalar::value)` drops derivatives.
             #[inline]
             pub fn map<U>(self, f: impl Fn(T) -> U) -> $kind<U> {
                 $kind { $($c: f(self.$c)),* }

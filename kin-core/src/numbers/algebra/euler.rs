@@ -10,11 +10,11 @@ use super::vector::{sum, vector};
 use super::{Components, Mat3, Mix, Mixed, Scalar, Vec3};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// Euler parameters p = (e0, e) = (cos φ/2, u sin φ/2) of a turn by φ about the unit vector u, a
-/// rotation where |p| = 1.
+/// Euler parameters p = (e0, e) = (cos φ/2, u sin φ/2) of a rotation by φ about the unit vector u,
+/// with |p| = 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EulerParameters<T = f64> {
-    /// cos φ/2, the scalar.
+    /// The scalar cos φ/2.
     pub e0: T,
     /// u_x sin φ/2.
     pub e1: T,
@@ -29,14 +29,14 @@ vector!(EulerParameters, 4 { e0 = 0, e1 = 1, e2 = 2, e3 = 3 }, (T, T, T, T), (f6
 mixed!(Mul::mul, EulerParameters, EulerParameters => EulerParameters, |p, q| p.product(q));
 
 impl<T: Scalar> Default for EulerParameters<T> {
-    /// No turn, (1, 0, 0, 0).
+    /// Returns no rotation, (1, 0, 0, 0).
     fn default() -> Self {
         EulerParameters::identity().map(T::from)
     }
 }
 
 impl EulerParameters {
-    /// No turn, (1, 0, 0, 0), in `f64`, which mixes with `Real<D>`.
+    /// Returns no rotation, (1, 0, 0, 0), in `f64`, which mixes with `Real<D>`.
     #[inline]
     pub const fn identity() -> Self {
         EulerParameters { e0: 1.0, e1: 0.0, e2: 0.0, e3: 0.0 }
@@ -44,8 +44,10 @@ impl EulerParameters {
 }
 
 impl EulerParameters {
-    /// p of a rotation matrix A, e0 ≥ 0: the other way of [`EulerParameters::rotation`]. A matrix
-    /// that is no rotation gives what is not to be used.
+    /// Returns p of a rotation matrix A, with e0 ≥ 0. It is the inverse of
+    /// [`EulerParameters::rotation`].
+    ///
+    /// For a matrix that is no rotation the result is meaningless.
     pub fn from_rotation(a: Mat3) -> Self {
         let matrix = nalgebra::Matrix3::from(a);
         let turn = nalgebra::UnitQuaternion::from_rotation_matrix(
@@ -63,28 +65,27 @@ impl EulerParameters {
 }
 
 impl<T: Scalar> EulerParameters<T> {
-    /// The turn by `angle` rad about `axis`, of any length but zero.
+    /// Returns the rotation by `angle` \[rad\] about `axis`, which may have any length except zero.
     pub fn from_axis_angle(axis: impl Into<Vec3<T>>, angle: T) -> Self {
         let (sin, cos) = (angle * 0.5).sin_cos();
         let e = axis.into().normalize() * sin;
         EulerParameters { e0: cos, e1: e.x, e2: e.y, e3: e.z }
     }
 
-    /// e = (e1, e2, e3).
+    /// Returns e = (e1, e2, e3).
     #[inline]
     pub fn vector(self) -> Vec3<T> {
         Vec3 { x: self.e1, y: self.e2, z: self.e3 }
     }
 
-    /// (e0, −e), the turn back.
+    /// Returns (e0, −e), the inverse rotation.
     #[inline]
     pub fn conjugate(self) -> Self {
         EulerParameters { e0: self.e0, e1: -self.e1, e2: -self.e2, e3: -self.e3 }
     }
 
-    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. The other algebraic forms of A differ
-    /// from it off
-    /// |p| = 1.
+    /// Returns A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. Other algebraic forms of A have
+    /// different values if |p| ≠ 1.
     pub fn rotation(self) -> Mat3<T> {
         let e0 = self.e0;
         let e = self.vector();
@@ -108,8 +109,9 @@ impl<T: Scalar> EulerParameters<T> {
         }
     }
 
-    /// The quaternion product p q, also `p * q`: first the turn q, then p, A(p q) = A(p) A(q)
-    /// where |p| = |q| = 1.
+    /// Returns the quaternion product p q, also written `p * q`: first the rotation q, then p.
+    ///
+    /// A(p q) = A(p) A(q) if |p| = |q| = 1.
     #[inline]
     pub fn product<V: Components<4>>(self, q: V) -> EulerParameters<Mixed<T, V::Scalar>>
     where

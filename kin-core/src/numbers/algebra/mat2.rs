@@ -37,26 +37,26 @@ mixed!(Mul::mul, Mat2, Mat2 => Mat2, |a, b| Mat2 {
 });
 
 impl<T: Scalar> Mat2<T> {
-    /// \[cos φ, −sin φ; sin φ, cos φ\], the turn by φ rad counter-clockwise.
+    /// Returns \[cos φ, −sin φ; sin φ, cos φ\], the rotation by φ counter-clockwise. \[rad\]
     #[inline]
     pub fn rotation(angle: T) -> Self {
         let (sin, cos) = angle.sin_cos();
         Mat2 { m11: cos, m12: -sin, m21: sin, m22: cos }
     }
 
-    /// Aᵀ.
+    /// Returns Aᵀ.
     #[inline]
     pub fn transpose(self) -> Self {
         Mat2 { m12: self.m21, m21: self.m12, ..self }
     }
 
-    /// det A.
+    /// Returns det A.
     #[inline]
     pub fn determinant(self) -> T {
         self.m11 * self.m22 - self.m21 * self.m12
     }
 
-    /// tr A.
+    /// Returns tr A.
     #[inline]
     pub fn trace(self) -> T {
         self.m11 + self.m22

@@ -50,7 +50,7 @@ mixed!(Mul::mul, Mat3, Vec3 => Vec3, |a, v| Vec3 {
 mixed!(Mul::mul, Mat3, Mat3 => Mat3, |a, b| Mat3::from_columns([a * b.column(0), a * b.column(1), a * b.column(2)]));
 
 impl Mat3 {
-    /// ã, the skew matrix of a vector: ã b = a × b.
+    /// Returns ã, the skew matrix of a vector: ã b = a × b.
     #[inline]
     pub fn skew<V: Components<3>>(a: V) -> Mat3<V::Scalar> {
         let [x, y, z] = a.components();
@@ -60,7 +60,7 @@ impl Mat3 {
 }
 
 impl<T: Scalar> Mat3<T> {
-    /// Aᵀ.
+    /// Returns Aᵀ.
     #[inline]
     pub fn transpose(self) -> Self {
         Mat3::new(
@@ -69,13 +69,13 @@ impl<T: Scalar> Mat3<T> {
         )
     }
 
-    /// det A.
+    /// Returns det A.
     #[inline]
     pub fn determinant(self) -> T {
         self.row(0).dot(self.row(1).cross(self.row(2)))
     }
 
-    /// tr A.
+    /// Returns tr A.
     #[inline]
     pub fn trace(self) -> T {
         self.m11 + self.m22 + self.m33

@@ -1,7 +1,7 @@
-//! Operations that all square matrices share, written once.
+//! Operations that all square matrices share.
 
-/// Index (row, column), counted from 0, and conversions of square matrices, from rows of
-/// components.
+/// Implements the index (row, column), counted from 0, and conversions of square matrices, from
+/// rows of components.
 macro_rules! matrix {
     ($kind:ident, $vector:ident, $n:literal { $(($($c:ident = $i:tt, $j:tt);*)),* }) => {
         componentwise!($kind { $($($c),*),* });
@@ -9,7 +9,8 @@ macro_rules! matrix {
         impl<T> Index<(usize, usize)> for $kind<T> {
             type Output = T;
 
-            /// The entry in row `i` and column `j`, both counted from 0; panics beyond the last.
+            /// Returns the entry in row `i` and column `j`, both counted from 0. Panics beyond the
+            /// last.
             #[inline]
             fn index(&self, (i, j): (usize, usize)) -> &T {
                 match (i, j) {
@@ -30,7 +31,7 @@ macro_rules! matrix {
         }
 
         impl<T: Scalar> From<[[T; $n]; $n]> for $kind<T> {
-            /// The matrix of these rows.
+            /// Creates the matrix from its rows.
             #[inline]
             fn from([$([$($c),*]),*]: [[T; $n]; $n]) -> Self {
                 $kind { $($($c),*),* }
@@ -38,7 +39,7 @@ macro_rules! matrix {
         }
 
         impl<T: Scalar> From<$kind<T>> for [[T; $n]; $n] {
-            /// Its rows.
+            /// Returns the rows.
             #[inline]
             fn from(a: $kind<T>) -> Self {
                 a.to_array()
@@ -46,7 +47,7 @@ macro_rules! matrix {
         }
 
         impl<T> $kind<T> {
-            /// The matrix of these entries, row by row.
+            /// Creates the matrix from its entries, row by row.
             #[inline]
             #[allow(clippy::too_many_arguments)]
             pub const fn new($($($c: T),*),*) -> Self
@@ -56,7 +57,7 @@ macro_rules! matrix {
                 $kind { $($($c),*),* }
             }
 
-            /// The entries, row by row.
+            /// Returns the entries, row by row.
             #[inline]
             pub fn to_array(self) -> [[T; $n]; $n] {
                 [$([$(self.$c),*]),*]
@@ -64,19 +65,19 @@ macro_rules! matrix {
         }
 
         impl $kind {
-            /// The unit matrix, in `f64`, which mixes with `Real<D>`.
+            /// Returns the unit matrix in `f64`, which mixes with `Real<D>`.
             #[inline]
             pub const fn identity() -> Self {
                 $kind { $($($c: if $i == $j { 1.0 } else { 0.0 }),*),* }
             }
 
-            /// The matrix of these rows.
+            /// Creates the matrix from its rows.
             #[inline]
             pub fn from_rows<V: Components<$n>>(rows: [V; $n]) -> $kind<V::Scalar> {
                 $kind::from(rows.map(V::components))
             }
 
-            /// The matrix of these columns.
+            /// Creates the matrix from its columns.
             #[inline]
             pub fn from_columns<V: Components<$n>>(columns: [V; $n]) -> $kind<V::Scalar> {
                 Self::from_rows(columns).transpose()
@@ -84,13 +85,13 @@ macro_rules! matrix {
         }
 
         impl<T: Scalar> $kind<T> {
-            /// Row `i`, counted from 0; panics beyond the last.
+            /// Returns row `i`, counted from 0. Panics beyond the last.
             #[inline]
             pub fn row(self, i: usize) -> $vector<T> {
                 $vector::from(self.to_array()[i])
             }
 
-            /// Column `j`, counted from 0; panics beyond the last.
+            /// Returns column `j`, counted from 0. Panics beyond the last.
             #[inline]
             pub fn column(self, j: usize) -> $vector<T> {
                 $vector::from(self.to_array().map(|row| row[j]))

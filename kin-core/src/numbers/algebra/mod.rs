@@ -1,9 +1,8 @@
-//! Kin's own small vectors and matrices, with nalgebra's names, over `f64` or
-//! [`Real<D>`](crate::numbers::real::Real).
+//! Small vectors and matrices over `f64` or [`Real<D>`](crate::numbers::real::Real). Their names
+//! are those of nalgebra.
 //!
-//! Operands go in by value or by reference, and `f64` mixes with `Real<D>` everywhere: a constant
-//! vector times a moving one, a literal on either side. `From` and `Into` lead to nalgebra and
-//! back.
+//! Operands are values or references, and `f64` mixes with `Real<D>` everywhere: a constant vector
+//! times a moving one, a literal on either side. `From` and `Into` convert to nalgebra and back.
 
 mod axis;
 mod componentwise;
@@ -25,18 +24,18 @@ pub use scalar::{Mix, Mixed, Scalar};
 pub use vec2::{Vec2, vec2};
 pub use vec3::{Vec3, vec3};
 
-/// N components of one kind, which joints and the methods of vectors take: a vector of Kin's by
-/// value or by reference, nalgebra's, an array, a tuple.
+/// N components of one type: a vector of Kin by value or by reference, a vector of nalgebra, an
+/// array, a tuple. Joints and the methods of vectors accept them.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector of {N} components",
     label = "{N} components are wanted here",
     note = "a vector of the plane is `vec2(x, y)` or `(x, y)`, one of space `vec3(x, y, z)` or `(x, y, z)`; numbers have a point, as `1.0`"
 )]
 pub trait Components<const N: usize> {
-    /// Number type of the components.
+    /// The number type of the components.
     type Scalar: Scalar;
 
-    /// The components in order.
+    /// Returns the components in order.
     fn components(self) -> [Self::Scalar; N];
 }
 

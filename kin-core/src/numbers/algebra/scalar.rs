@@ -1,4 +1,4 @@
-//! Numbers that vectors are made of.
+//! The number types of vectors.
 
 use std::fmt;
 use std::iter::Sum;
@@ -6,8 +6,9 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use crate::numbers::real::{Dual, Real};
 
-/// A number: `f64`, or `Real<D>` for every [`Dual`] D. It computes and compares with itself and
-/// with `f64`. The trait is sealed.
+/// A number: `f64`, or `Real<D>` for every [`Dual`] D.
+///
+/// It works with itself and with `f64`. The trait is sealed.
 pub trait Scalar:
     sealed::Sealed
     + Mix<Self, Mixed = Self>
@@ -28,31 +29,31 @@ pub trait Scalar:
     + Sync
     + 'static
 {
-    /// The real part.
+    /// Returns the real part.
     fn value(self) -> f64;
 
-    /// √x.
+    /// Returns √x.
     fn sqrt(self) -> Self;
 
-    /// |x|.
+    /// Returns |x|.
     fn abs(self) -> Self;
 
-    /// (sin x, cos x), x in rad.
+    /// Returns (sin x, cos x), with x in rad.
     fn sin_cos(self) -> (Self, Self);
 
-    /// The angle of the point (`x`, `self`).   \[rad\]
+    /// Returns the angle of the point (`x`, `self`). \[rad\]
     fn atan2(self, x: Self) -> Self;
 
-    /// √(x² + y²) without overflow.
+    /// Returns √(x² + y²) without overflow.
     fn hypot(self, y: Self) -> Self;
 
-    /// √(Σ x²), the norm of a vector; a zero vector's is singular unless all its components are
-    /// constant.
+    /// Returns √(Σ x²), the norm of a vector. The derivative for a zero vector is singular, unless
+    /// all components are constant.
     fn length<const N: usize>(components: [Self; N]) -> Self;
 }
 
-/// A number that computes with numbers `U`: each with itself, `f64` and `Real<D>` with each other.
-/// The result is [`Mixed<Self, U>`](Mixed).
+/// A number type that works with numbers `U`: each type with itself, and `f64` with `Real<D>`. The
+/// result is [`Mixed<Self, U>`](Mixed).
 #[diagnostic::on_unimplemented(
     message = "no number of Kin is both `{Self}` and `{U}`",
     note = "numbers are `f64` and `Real<D>`; write 1.0, not 1"
@@ -64,11 +65,11 @@ pub trait Mix<U>:
     + Mul<U, Output = <Self as Mix<U>>::Mixed>
     + Div<U, Output = <Self as Mix<U>>::Mixed>
 {
-    /// `Real<D>` if one of the two is, else `f64`.
+    /// `Real<D>` if one of the two types is `Real<D>`, otherwise `f64`.
     type Mixed: Scalar + From<Self> + From<U>;
 }
 
-/// The common type of `T` and `U`: `Real<D>` if one of them is, else `f64`.
+/// The common type of `T` and `U`: `Real<D>` if one of them is `Real<D>`, otherwise `f64`.
 pub type Mixed<T, U> = <T as Mix<U>>::Mixed;
 
 impl Mix<f64> for f64 {
@@ -137,7 +138,7 @@ macro_rules! scalar {
 scalar!([] f64, |x| x);
 scalar!([D: Dual] Real<D>, Real::value);
 
-/// Σ x², in the order of the components.
+/// Returns Σ x², in the order of the components.
 #[inline]
 fn sum_of_squares<T: Scalar, const N: usize>(components: [T; N]) -> T {
     components.into_iter().map(|x| x * x).reduce(|a, b| a + b).unwrap_or_default()

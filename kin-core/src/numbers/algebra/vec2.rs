@@ -12,16 +12,17 @@ use super::vector::{sum, vector};
 use super::{Components, Mix, Mixed, Scalar};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// A vector in the plane, or a point; the unit is that of its components.
+/// A vector or a point in the plane. Its unit is that of its components.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2<T = f64> {
-    /// Along the x-axis.
+    /// The component along the x-axis.
     pub x: T,
-    /// Along the y-axis.
+    /// The component along the y-axis.
     pub y: T,
 }
 
-/// The vector (x, y); `f64` and `Real<D>` mix: `vec2(x, 0.0)`. In a `const` write `Vec2::new`.
+/// Creates the vector (x, y) from `f64` and `Real<D>` in any mixture: `vec2(x, 0.0)`. In a `const`
+/// write `Vec2::new`.
 #[inline]
 pub fn vec2<A: Mix<B>, B>(x: A, y: B) -> Vec2<Mixed<A, B>> {
     Vec2 { x: x.into(), y: y.into() }
@@ -30,13 +31,13 @@ pub fn vec2<A: Mix<B>, B>(x: A, y: B) -> Vec2<Mixed<A, B>> {
 vector!(Vec2, 2 { x = 0, y = 1 }, (T, T), (f64, f64));
 
 impl Vec2 {
-    /// The unit vector (1, 0), in `f64`, which mixes with `Real<D>`.
+    /// Returns the unit vector (1, 0) in `f64`, which mixes with `Real<D>`.
     #[inline]
     pub const fn x() -> Self {
         Vec2 { x: 1.0, y: 0.0 }
     }
 
-    /// The unit vector (0, 1), in `f64`, which mixes with `Real<D>`.
+    /// Returns the unit vector (0, 1) in `f64`, which mixes with `Real<D>`.
     #[inline]
     pub const fn y() -> Self {
         Vec2 { x: 0.0, y: 1.0 }
@@ -44,14 +45,14 @@ impl Vec2 {
 }
 
 impl<T: Scalar> Vec2<T> {
-    /// The quarter turn counter-clockwise, (−y, x).
+    /// Returns (−y, x): the vector rotated by 90° counter-clockwise.
     #[inline]
     pub fn perp(self) -> Self {
         Vec2 { x: -self.y, y: self.x }
     }
 
-    /// a × b = aₓ b_y − a_y bₓ, the z-component of the cross product; positive where b lies
-    /// counter-clockwise of a.
+    /// Returns a × b = aₓ b_y − a_y bₓ, the z-component of the cross product. It is positive if b
+    /// is counter-clockwise of a.
     #[inline]
     pub fn cross<V: Components<2>>(self, other: V) -> Mixed<T, V::Scalar>
     where

@@ -12,19 +12,19 @@ use super::vector::{sum, vector};
 use super::{Components, Mix, Mixed, Scalar};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// A vector in space, or a point; the unit is that of its components.
+/// A vector or a point in space. Its unit is that of its components.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec3<T = f64> {
-    /// Along the x-axis.
+    /// The component along the x-axis.
     pub x: T,
-    /// Along the y-axis.
+    /// The component along the y-axis.
     pub y: T,
-    /// Along the z-axis.
+    /// The component along the z-axis.
     pub z: T,
 }
 
-/// The vector (x, y, z); `f64` and `Real<D>` mix: `vec3(x, 0.0, 1.0)`. In a `const` write
-/// `Vec3::new`.
+/// Creates the vector (x, y, z) from `f64` and `Real<D>` in any mixture: `vec3(x, 0.0, 1.0)`. In a
+/// `const` write `Vec3::new`.
 #[inline]
 pub fn vec3<A, B, C>(x: A, y: B, z: C) -> Vec3<Mixed<Mixed<A, B>, C>>
 where
@@ -37,19 +37,19 @@ where
 vector!(Vec3, 3 { x = 0, y = 1, z = 2 }, (T, T, T), (f64, f64, f64));
 
 impl Vec3 {
-    /// The unit vector (1, 0, 0), in `f64`, which mixes with `Real<D>`.
+    /// Returns the unit vector (1, 0, 0) in `f64`, which mixes with `Real<D>`.
     #[inline]
     pub const fn x() -> Self {
         Vec3 { x: 1.0, y: 0.0, z: 0.0 }
     }
 
-    /// The unit vector (0, 1, 0), in `f64`, which mixes with `Real<D>`.
+    /// Returns the unit vector (0, 1, 0) in `f64`, which mixes with `Real<D>`.
     #[inline]
     pub const fn y() -> Self {
         Vec3 { x: 0.0, y: 1.0, z: 0.0 }
     }
 
-    /// The unit vector (0, 0, 1), in `f64`, which mixes with `Real<D>`.
+    /// Returns the unit vector (0, 0, 1) in `f64`, which mixes with `Real<D>`.
     #[inline]
     pub const fn z() -> Self {
         Vec3 { x: 0.0, y: 0.0, z: 1.0 }
@@ -57,7 +57,7 @@ impl Vec3 {
 }
 
 impl<T: Scalar> Vec3<T> {
-    /// a × b.
+    /// Returns the cross product a × b.
     #[inline]
     pub fn cross<V: Components<3>>(self, other: V) -> Vec3<Mixed<T, V::Scalar>>
     where

@@ -1,13 +1,13 @@
-//! Operations that all vectors share, written once.
+//! Operations that all vectors share.
 
-/// The sum of terms, first to last.
+/// Adds terms from first to last.
 macro_rules! sum {
     ($first:expr $(, $rest:expr)*) => { $first $(+ $rest)* };
 }
 
-/// [`componentwise!`], and what is a vector's alone: arrays and tuples, indices, lengths and
-/// products. Called with the components and their indices, and the tuple of components over `T` and
-/// over `f64`.
+/// Implements [`componentwise!`] and the operations of vectors alone: arrays and tuples, indices,
+/// lengths and products. Its arguments are the components, their indices, and the tuple of
+/// components over `T` and over `f64`.
 macro_rules! vector {
     ($kind:ident, $n:literal { $($c:ident = $i:tt),* }, $tuple:ty, $constants:ty) => {
         componentwise!($kind { $($c),* });
@@ -63,7 +63,7 @@ macro_rules! vector {
         impl<T> Index<usize> for $kind<T> {
             type Output = T;
 
-            /// Component `i`, counted from 0; panics beyond the last.
+            /// Returns component `i`, counted from 0. Panics beyond the last.
             #[inline]
             fn index(&self, i: usize) -> &T {
                 match i {
@@ -84,7 +84,7 @@ macro_rules! vector {
         }
 
         impl<T> $kind<T> {
-            /// The vector of these components.
+            /// Creates the vector from its components.
             #[inline]
             pub const fn new($($c: T),*) -> Self
             where
@@ -93,7 +93,7 @@ macro_rules! vector {
                 $kind { $($c),* }
             }
 
-            /// The components in order.
+            /// Returns the components in order.
             #[inline]
             pub fn to_array(self) -> [T; $n] {
                 [$(self.$c),*]
@@ -101,7 +101,7 @@ macro_rules! vector {
         }
 
         impl<T: Scalar> $kind<T> {
-            /// a · b = Σ aₖ bₖ.
+            /// Returns a · b = Σ aₖ bₖ.
             #[inline]
             pub fn dot<V: Components<$n>>(self, other: V) -> Mixed<T, V::Scalar>
             where
@@ -111,25 +111,25 @@ macro_rules! vector {
                 sum!($(self.$c * $c),*)
             }
 
-            /// |a|² = Σ aₖ².
+            /// Returns |a|² = Σ aₖ².
             #[inline]
             pub fn norm_squared(self) -> T {
                 sum!($(self.$c * self.$c),*)
             }
 
-            /// |a| = √(Σ aₖ²); its derivative at zero is NaN, or 0 if a is constant.
+            /// Returns |a| = √(Σ aₖ²). Its derivative at zero is NaN, or 0 if a is constant.
             #[inline]
             pub fn norm(self) -> T {
                 T::length(self.to_array())
             }
 
-            /// a/|a|; NaN for a zero vector.
+            /// Returns a/|a|, or NaN for a zero vector.
             #[inline]
             pub fn normalize(self) -> Self {
                 self / self.norm()
             }
 
-            /// The products aₖ bₖ.
+            /// Returns the products aₖ bₖ.
             #[inline]
             pub fn component_mul<V: Components<$n>>(self, other: V) -> $kind<Mixed<T, V::Scalar>>
             where
@@ -139,7 +139,7 @@ macro_rules! vector {
                 $kind { $($c: self.$c * $c),* }
             }
 
-            /// The quotients aₖ/bₖ.
+            /// Returns the quotients aₖ/bₖ.
             #[inline]
             pub fn component_div<V: Components<$n>>(self, other: V) -> $kind<Mixed<T, V::Scalar>>
             where
@@ -149,7 +149,7 @@ macro_rules! vector {
                 $kind { $($c: self.$c / $c),* }
             }
 
-            /// (1 − t) a + t b.
+            /// Returns (1 − t) a + t b.
             #[inline]
             pub fn lerp<V, S>(self, other: V, t: S) -> $kind<Mixed<Mixed<T, S>, Mixed<V::Scalar, S>>>
             where

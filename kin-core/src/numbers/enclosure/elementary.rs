@@ -1,31 +1,31 @@
-//! Functions over an interval. Where a function has no value for some of the numbers, nothing is
-//! known ([`ALL`]).
+//! Functions over an interval. If a function has no value for some of the numbers, the result is
+//! [`ALL`].
 
 use kin_graph::Function;
 use kin_graph::functions::{ALLOWED, Place};
 
 use super::interval::{ALL, Interval, ONE, PI, down};
 
-/// A bound below the function whose computed value is y, off by so many units in the last place;
-/// what is too large for a number is above the largest.
+/// Returns a lower bound of a function value that is computed as y with an error of `error` units
+/// in the last place. If y overflows, the bound is below the largest number.
 fn below(y: f64, error: f64) -> f64 {
     let y = y.min(f64::MAX);
     if error == 0.0 { y } else { down(y - error * f64::EPSILON * y.abs() - f64::MIN_POSITIVE) }
 }
 
-/// A bound above it.
+/// Returns an upper bound of a function value that is computed as y with the same error.
 fn above(y: f64, error: f64) -> f64 {
     -below(-y, error)
 }
 
 impl Interval {
-    /// f over it, from what the list says of f: its values at both ends and where it turns between
-    /// them.
+    /// Returns f over the interval, from the facts in the list: the values at both ends and at the
+    /// extrema between them.
     pub(crate) fn call(self, f: Function) -> Self {
         let facts = f.facts();
         let [from, to] = facts.domain;
         let jumps = facts.jumps.is_some_and(|steps| steps(self.lo()) != steps(self.hi()));
-        // At a pole where the domain ends f is infinite, and monotone up to there.
+        // At a pole where the domain ends, f is infinite, and monotone up to the pole.
         let is_within = |pole: &&Place| ![Place::At(from), Place::At(to)].contains(pole);
         let has_pole = facts.poles.iter().filter(is_within).any(|pole| self.passes(*pole));
         if self.lo() < from || self.hi() > to || jumps || has_pole {
@@ -38,7 +38,7 @@ impl Interval {
         let turns =
             facts.extrema.iter().filter(|(place, _)| self.passes(*place)).map(|(_, value)| *value);
         let bounds = [self.lo(), self.hi()].map(f.value()).into_iter().chain(turns).map(|y| {
-            // Without a limit at an end of the line all values are possible.
+            // If f has no limit at an end of the line, all values are possible.
             if y.is_nan() { ALL } else { Interval::new(below(y, error), above(y, error)) }
         });
         let [least, most] = facts.range;
@@ -48,40 +48,42 @@ impl Interval {
             .unwrap_or(ALL)
     }
 
-    /// True if a place, or one of a row of them, is in it.
+    /// Returns true if a place, or one of a sequence of places, lies in the interval.
     pub(crate) fn passes(self, place: Place) -> bool {
         match place {
             Place::At(x) => self.contains(x),
             Place::Quarters { first, every } => {
-                // as wide as the quarters are known: of large numbers everything is among them
+                // The quotient is as wide as the quarters are known: for large numbers it contains
+                // every place.
                 let quarters = self / (PI * Interval::from(0.5));
                 ((quarters.lo() - first) / every).ceil() <= (quarters.hi() - first) / every
             }
         }
     }
 
-    /// xᵃ for x > 0.
+    /// Returns xᵃ for x > 0.
     pub(crate) fn powf(self, a: Self) -> Self {
         if self.lo() > 0.0 { (a * self.call(Function::Ln)).call(Function::Exp) } else { ALL }
     }
 
-    /// √(x² + y²)
+    /// Returns √(x² + y²).
     pub(crate) fn hypot(self, other: Self) -> Self {
         (self.sqr() + other.sqr()).sqrt()
     }
 
-    /// The angle of (x, y), self being y, over a box without the origin. Over one that reaches
-    /// across the negative x-axis angles go on beyond π and the second result is true: those of
-    /// points below the axis are a whole turn less.
+    /// Returns the angle of (x, y), self being y, over a box without the origin.
+    ///
+    /// If the box reaches across the negative x-axis, the angles continue beyond π and the second
+    /// result is true: the angle of a point below the axis is then too large by a whole turn.
     pub(crate) fn atan2(self, x: Self) -> (Self, bool) {
         let y = self;
         if x.contains(0.0) && y.contains(0.0) {
             return (ALL, false);
         }
         let cut = x.hi() < 0.0 && y.lo() < 0.0 && y.hi() >= 0.0;
-        // turned by half a turn the box is on the right, where no cut is
+        // A rotation by half a turn moves the box to the right, where there is no cut.
         let angle = |y: f64, x: f64| if cut { (-y).atan2(-x) } else { y.atan2(x) };
-        // a zero y below the axis belongs to it: its sign says nothing
+        // A zero y counts as a point on the axis; its sign is ignored.
         let corner = |y: f64, x: f64| angle(if y == 0.0 { 0.0 } else { y }, x);
         let all = [
             corner(y.lo(), x.lo()),
@@ -96,14 +98,15 @@ impl Interval {
         (if cut { around + PI } else { around }, cut)
     }
 
-    /// f over it, f being constant between jumps; `None` where it jumps.
+    /// Returns f over the interval, for an f that is constant between jumps; returns `None` if f
+    /// jumps in the interval.
     pub(crate) fn step(self, f: fn(f64) -> f64) -> Option<Self> {
         let a = f(self.lo());
         let b = f(self.hi());
         (a == b).then(|| Interval::from(a))
     }
 
-    /// xⁿ
+    /// Returns xⁿ.
     pub(crate) fn powi(self, n: u32) -> Self {
         match n {
             0 => ONE,

@@ -1,6 +1,6 @@
 //! The functions of an equation's steps on series, from the differential equation of each: y′ =
-//! f′(x) x′ (Moore, ch. 11). Most follow from their rules in the list. Those whose rules lead to
-//! one another, or take several times as long, are written by hand.
+//! f′(x) x′ (Moore, ch. 11). Most functions follow from their rules in the list. Functions whose
+//! rules refer to one another, or whose rules take several times as long, are written by hand.
 
 use kin_graph::{Function, Function2, Number, rules};
 
@@ -8,18 +8,18 @@ use super::interval::{Interval, ONE, ZERO};
 use super::series::{ORDER, Series, Turns, UNKNOWN};
 
 impl Series {
-    /// (sin x, cos x): s′ = c x′, c′ = −s x′.
+    /// Returns (sin x, cos x), from s′ = c x′, c′ = −s x′.
     pub(crate) fn sin_cos(self) -> (Series, Series) {
-        // whole turns are nothing to them
+        // Whole turns do not change sine and cosine.
         self.pair(Function::Sin, Function::Cos, -ONE)
     }
 
-    /// (sinh x, cosh x): s′ = c x′, c′ = s x′.
+    /// Returns (sinh x, cosh x), from s′ = c x′, c′ = s x′.
     fn hyperbolic(self) -> (Series, Series) {
         self.pair(Function::Sinh, Function::Cosh, ONE)
     }
 
-    /// s′ = c x′, c′ = `sign` s x′.
+    /// Returns the solution of s′ = c x′, c′ = `sign` s x′.
     fn pair(self, s: Function, c: Function, sign: Interval) -> (Series, Series) {
         let x = self;
         let len = self.len();
@@ -32,13 +32,13 @@ impl Series {
         (Series::of(&sines, len), Series::of(&cosines, len))
     }
 
-    /// eˣ with the values given: y′ = y x′.
+    /// Returns eˣ with the bounds `value` of its values, from y′ = y x′.
     fn exponential(self, value: Interval) -> Series {
         Series::recurring(value, self.len(), |k, y| self.slope_times(y, k))
     }
 
-    /// f(x) with the values given, from the rule of its slope. One that reads f(x) itself gives
-    /// coefficient after coefficient.
+    /// Returns f(x) with the bounds `value` of its values, from the rule for its slope. If the rule
+    /// uses f(x) itself, the function computes one coefficient after the other.
     fn by_rule(self, f: Function, value: Interval) -> Series {
         let slope = rules::slope(f, self, UNKNOWN);
         if slope.is_constant() && slope.value() == ZERO {
@@ -53,11 +53,11 @@ impl Series {
         })
     }
 
-    /// xᵃ with the values given: x y′ = a y x′.
+    /// Returns xᵃ with the bounds `value` of its values, from x y′ = a y x′.
     fn power(self, value: Interval, a: Interval) -> Series {
         let x0 = self.value();
         let len = self.len();
-        // at zero a power has values, but no derivatives
+        // At zero a power has values, but no derivatives.
         let len = if x0.contains(0.0) { len.min(1) } else { len };
         Series::recurring(value, len, |k, y| {
             let term = |j: usize| (a * whole(k - j) - whole(j)) * self.at(k - j) * y[j];
@@ -66,7 +66,7 @@ impl Series {
         })
     }
 
-    /// xⁿ
+    /// Returns xⁿ.
     pub fn powi(self, n: i32) -> Series {
         match n.unsigned_abs() {
             _ if n < 0 => n.checked_neg().map_or(UNKNOWN, |n| self.powi(n).recip()),
@@ -88,12 +88,12 @@ impl Series {
         }
     }
 
-    /// A function that is constant between jumps.
+    /// Returns a function that is constant between jumps.
     fn step(self, f: fn(f64) -> f64) -> Series {
         self.value().step(f).map_or(UNKNOWN, Series::constant)
     }
 
-    /// The series of f of this.
+    /// Returns f of the series.
     pub(crate) fn call(self, f: Function) -> Series {
         let x = self;
         if x.is_open() && !matches!(f, Function::Sin | Function::Cos) {
@@ -116,8 +116,7 @@ impl Series {
         y.as_result(x.is_constant())
     }
 
-    /// A result of what moves, or of what does not: then its derivatives are 0, whatever those of
-    /// the function are.
+    /// Returns the result, with derivatives of 0 if the operands are constant.
     fn as_result(self, is_constant: bool) -> Series {
         match self.value().is_finite() {
             false => UNKNOWN,
@@ -126,7 +125,7 @@ impl Series {
         }
     }
 
-    /// The series of f of this and another.
+    /// Returns f of this series and another one.
     pub(crate) fn call2(self, f: Function2, other: Series) -> Series {
         let a = self;
         let b = other;
@@ -144,14 +143,14 @@ impl Series {
         y.as_result(a.is_constant() && b.is_constant())
     }
 
-    /// The n of a = n b + rest, 0 ≤ rest < |b|.
+    /// Returns the whole number n in a = n b + rest, 0 ≤ rest < |b|.
     fn whole_quotient(self, b: Series) -> Series {
         let quotient = self / b;
         if b.value().lo() > 0.0 { quotient.step(f64::floor) } else { quotient.step(f64::ceil) }
     }
 
-    /// The angle θ of (x, y), self being y: θ′ = (x y′ − y x′)/(x² + y²). Across the negative
-    /// x-axis it goes on, and is known up to whole turns.
+    /// Returns the angle θ of (x, y), self being y, from θ′ = (x y′ − y x′)/(x² + y²). Across the
+    /// negative x-axis the angle continues, and its bounds hold up to whole turns.
     fn atan2(self, x: Series) -> Series {
         let y = self;
         let (value, across) = y.value().atan2(x.value());
@@ -188,7 +187,7 @@ impl Series {
         }
     }
 
-    /// The larger of both; over a tie the slope is between theirs.
+    /// Returns the larger of both; over a tie the slope lies between theirs.
     fn larger(self, other: Series) -> Series {
         let a = self.value();
         let b = other.value();
@@ -217,31 +216,31 @@ macro_rules! by_name {
 }
 
 by_name! {
-    /// sin x
+    /// Returns sin x.
     sin = Sin;
-    /// cos x
+    /// Returns cos x.
     cos = Cos;
-    /// tan x
+    /// Returns tan x.
     tan = Tan;
-    /// arcsin x
+    /// Returns arcsin x.
     asin = Asin;
-    /// arccos x
+    /// Returns arccos x.
     acos = Acos;
-    /// arctan x
+    /// Returns arctan x.
     atan = Atan;
-    /// sinh x
+    /// Returns sinh x.
     sinh = Sinh;
-    /// cosh x
+    /// Returns cosh x.
     cosh = Cosh;
-    /// tanh x
+    /// Returns tanh x.
     tanh = Tanh;
-    /// eˣ
+    /// Returns eˣ.
     exp = Exp;
-    /// ln x
+    /// Returns ln x.
     ln = Ln;
-    /// √x
+    /// Returns √x.
     sqrt = Sqrt;
-    /// |x|
+    /// Returns |x|.
     abs = Abs;
 }
 

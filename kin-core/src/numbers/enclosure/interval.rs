@@ -1,10 +1,10 @@
-//! Interval arithmetic rounded outwards: whatever real numbers the operands stand for, the result
-//! of the operation on them is inside.
+//! Interval arithmetic with outward rounding: the result of an operation contains the exact result
+//! for all real numbers in the operands.
 //!
-//! The five operations of IEEE 754 (+, −, ×, /, √) are rounded to the nearest number, so the number
-//! next to the result is beyond the exact one. Of the other functions of the platform
-//! (`elementary.rs`) it is assumed that they are right to as many units in the last place as the
-//! list of functions says.
+//! The five operations of IEEE 754 (+, −, ×, /, √) round to the nearest number, so the number next
+//! to the result lies beyond the exact one. For the other functions of the platform
+//! (`elementary.rs`), Kin relies on the error in units of the last place that the list of functions
+//! gives.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -15,39 +15,39 @@ pub struct Interval {
     hi: f64,
 }
 
-/// Nothing is known.
+/// All real numbers: the interval that says nothing.
 pub(crate) const ALL: Interval = Interval { lo: f64::NEG_INFINITY, hi: f64::INFINITY };
 pub(crate) const ZERO: Interval = Interval { lo: 0.0, hi: 0.0 };
 pub(crate) const ONE: Interval = Interval { lo: 1.0, hi: 1.0 };
-/// From −1 to 1.
+/// The interval from −1 to 1.
 #[cfg(test)]
 pub(crate) const UNIT: Interval = Interval { lo: -1.0, hi: 1.0 };
-/// π is above the nearest f64.
+/// Bounds of π, which is above the nearest f64.
 pub(crate) const PI: Interval =
     Interval { lo: std::f64::consts::PI, hi: std::f64::consts::PI.next_up() };
 
-/// A bound below what was rounded to x.
+/// Returns a lower bound of a number that was rounded to x.
 pub(crate) fn down(x: f64) -> f64 {
     x.next_down()
 }
 
-/// A bound above what was rounded to x.
+/// Returns an upper bound of a number that was rounded to x.
 pub(crate) fn up(x: f64) -> f64 {
     x.next_up()
 }
 
 impl Interval {
-    /// From one bound to the other; everything where they are none.
+    /// Makes an interval from its bounds, or [`ALL`] if they are in the wrong order or not numbers.
     pub(crate) fn new(lo: f64, hi: f64) -> Self {
         if lo <= hi { Interval { lo, hi } } else { ALL }
     }
 
-    /// From −r to r.
+    /// Makes the interval from −r to r.
     pub(crate) fn ball(r: f64) -> Self {
         Interval::new(-r.abs(), r.abs())
     }
 
-    /// π times a number.
+    /// Returns π times a number.
     pub(crate) fn pi(factor: f64) -> Self {
         PI * Interval::from(factor)
     }
@@ -60,23 +60,23 @@ impl Interval {
         self.hi
     }
 
-    /// A number in the middle of it, if it is bounded.
+    /// Returns a number in the middle of a bounded interval.
     pub(crate) fn mid(self) -> f64 {
         let mid = 0.5 * self.lo + 0.5 * self.hi;
         if mid.is_nan() { 0.0 } else { mid.clamp(self.lo, self.hi) }
     }
 
-    /// The largest |x| in it.
+    /// Returns the largest |x| in the interval.
     pub(crate) fn mag(self) -> f64 {
         (-self.lo).max(self.hi)
     }
 
-    /// Half its width.
+    /// Returns half the width, rounded up.
     pub(crate) fn radius(self) -> f64 {
         0.5 * up(self.hi - self.lo)
     }
 
-    /// True if it is one number alone.
+    /// Returns true if the interval is a single number.
     pub(crate) fn is_thin(self) -> bool {
         self.lo == self.hi
     }
@@ -93,19 +93,20 @@ impl Interval {
         self.lo <= other.hi && other.lo <= self.hi
     }
 
-    /// The smallest one around both.
+    /// Returns the smallest interval around both.
     pub(crate) fn hull(self, other: Self) -> Self {
         Interval { lo: self.lo.min(other.lo), hi: self.hi.max(other.hi) }
     }
 
-    /// The interval that both have in common, if there is one.
+    /// Returns the intersection, or `None` if it is empty.
     pub(crate) fn common(self, other: Self) -> Option<Self> {
         let lo = self.lo.max(other.lo);
         let hi = self.hi.min(other.hi);
         (lo <= hi).then_some(Interval { lo, hi })
     }
 
-    /// x², which is not x · y with both from the interval.
+    /// Returns the squares of the numbers in the interval; the product of the interval with itself
+    /// may be wider.
     pub(crate) fn sqr(self) -> Self {
         let Interval { lo: least, hi: most } = self.abs();
         Interval::new(down(least * least).max(0.0), if most == 0.0 { 0.0 } else { up(most * most) })
@@ -116,7 +117,7 @@ impl Interval {
         Interval { lo: self.lo.max(-self.hi).max(0.0), hi: self.mag() }
     }
 
-    /// √x of what is not below zero in it; nothing is known where all of it is.
+    /// Returns √x of the numbers ≥ 0 in the interval, or [`ALL`] if all are negative.
     pub(crate) fn sqrt(self) -> Self {
         if self.hi < 0.0 {
             return ALL;
@@ -128,7 +129,7 @@ impl Interval {
 }
 
 impl From<f64> for Interval {
-    /// This number alone; everything for one that is not a number, or infinite.
+    /// Makes the interval of one number, or [`ALL`] for a number that is not finite.
     fn from(x: f64) -> Self {
         if x.is_finite() { Interval { lo: x, hi: x } } else { ALL }
     }
@@ -177,7 +178,7 @@ impl Mul for Interval {
         if other == ONE {
             return self;
         }
-        // An infinite bound stands for numbers without limit: 0 · ∞ is 0, which is between the
+        // An infinite bound means numbers without limit: 0 · ∞ counts as 0, which lies between the
         // other products.
         around([self.lo * other.lo, self.lo * other.hi, self.hi * other.lo, self.hi * other.hi])
     }
@@ -193,13 +194,13 @@ impl Div for Interval {
         if self == ZERO || other == ONE {
             return self;
         }
-        // The divisor has one sign, so the bounds of the quotient are at its ends; what ∞/∞ stands
-        // for is between the other quotients.
+        // The divisor has one sign, so the bounds of the quotient are at its ends. A quotient ∞/∞
+        // lies between the other quotients.
         around([self.lo / other.lo, self.lo / other.hi, self.hi / other.lo, self.hi / other.hi])
     }
 }
 
-/// Bounds around what is rounded to these; those that are no numbers are passed over.
+/// Returns bounds around the exact values of these rounded numbers, ignoring NaN.
 fn around(all: [f64; 4]) -> Interval {
     let (lo, hi) = all
         .into_iter()
@@ -220,7 +221,7 @@ mod tests {
             (0.0, 5e-324, 0.0)
         );
         assert_eq!((Interval::new(-5.0, -3.0).mag(), ZERO.mag()), (5.0, 0.0));
-        // The radius holds the rounding error of the width.
+        // The radius includes the rounding error of the width.
         assert!(Interval::new(-1.0, 1e-17).radius() > 0.5);
         let half = [Interval::new(0.0, f64::INFINITY), Interval::new(f64::NEG_INFINITY, 0.0)];
         assert!(!half[0].is_finite() && !half[1].is_finite() && x.is_finite());
@@ -241,7 +242,7 @@ mod tests {
         }
     }
 
-    /// Zeros and ones lose nothing by rounding: equations are full of them.
+    /// Zeros and ones are exact, because equations contain many of them.
     #[test]
     fn zeros_and_ones_are_exact() {
         let x = Interval::new(-0.3, 0.7);

@@ -1,5 +1,5 @@
-//! Bounds that hold: intervals rounded outwards, and Taylor series of intervals, through every
-//! function of the list.
+//! Bounds that hold: intervals rounded outwards, and Taylor series of intervals, for every function
+//! of the list.
 
 pub(crate) mod elementary;
 mod functions;

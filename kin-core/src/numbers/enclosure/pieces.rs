@@ -1,14 +1,14 @@
-//! Functions of pieces with interval bounds.
+//! Piecewise functions with interval bounds.
 //!
-//! That the pieces of a law meet is taken from the law: it is told by their bounds, which have to
-//! touch at the seam and to be narrow there. Numbers that are rounded (where a piece begins, which
-//! value it begins with) stand for what is meant by them; a jump that is more than rounding is
-//! seen, and where bounds are too wide to see one, nothing is known.
+//! The code compares the bounds of two adjacent pieces of a law to find out if the pieces meet: the
+//! bounds must touch at the seam and must be narrow there. Rounded numbers (the position and the
+//! value at which a piece begins) count as the exact ones. The code sees a jump larger than
+//! rounding; if the bounds are too wide to exclude a jump, the result is unknown.
 
 use super::interval::{Interval, ONE};
 use super::series::{ORDER, Series, Turns, UNKNOWN};
 
-/// More pieces than these at once say nothing that is of use.
+/// The most pieces at once: the bounds over more pieces are too wide to be useful.
 const MOST: usize = 64;
 
 /// The gap that rounding may leave between two pieces, as a share of the largest number in them,
@@ -16,11 +16,11 @@ const MOST: usize = 64;
 const ROUNDING: f64 = 1e-12;
 const PLACES: f64 = 16.0 * f64::EPSILON;
 
-/// Whatever the reason, pieces that are further apart do not meet.   \[-\]
+/// The largest gap between pieces that meet, whatever its cause.   \[-\]
 const APART: f64 = 1e-9;
 
 impl Interval {
-    /// x but for rounding in numbers of a size.
+    /// Returns bounds of x with the rounding errors of numbers of size `size`.
     pub(crate) fn near(x: f64, size: f64) -> Self {
         Interval::from(x) + Interval::ball(PLACES * size)
     }
@@ -29,7 +29,7 @@ impl Interval {
 /// A function of one number, with bounds.
 type Piece<'a> = &'a dyn Fn(&Series) -> Option<Series>;
 
-/// A function of x that is `piece(k, x)` between seam k − 1 and seam k; seams increase.
+/// Returns a function of x that is `piece(k, x)` between seam k − 1 and seam k; the seams increase.
 pub(crate) fn piecewise(
     x: &Series,
     seams: &[f64],
@@ -43,8 +43,8 @@ pub(crate) fn piecewise(
     along(x, seams, piece, &agreement)
 }
 
-/// The same, `agreement(k)` being of how many coefficients both pieces have the same ones at seam
-/// k.
+/// Returns the same function as [`piecewise`]; `agreement(k)` is the number of equal coefficients
+/// of both pieces at seam k.
 fn along(
     x: &Series,
     seams: &[f64],
@@ -76,9 +76,9 @@ fn along(
     Some(if x.is_constant() && y.len() > 0 { Series::constant(y.value()) } else { y })
 }
 
-/// Of how many coefficients, from the first, those of one function where it ends are those of the
-/// next where it begins; `others` are the other ends of both, if they have any. No function ends
-/// nearer to 0 than the next one begins.
+/// Returns how many coefficients, from the first, agree at the seam between two pieces. `others`
+/// are the other ends of both pieces, if they have any. No piece ends nearer to 0 than the next one
+/// begins.
 fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> Option<usize> {
     let of = |k: usize, x: Interval| pieces[k](&Series::variable(x, ONE, ORDER + 1));
     let exact = [of(0, Interval::from(at[0]))?, of(1, Interval::from(at[1]))?];
@@ -104,8 +104,8 @@ fn agreement(pieces: [Piece<'_>; 2], at: [f64; 2], others: [Option<f64>; 2]) -> 
     Some(same.count())
 }
 
-/// A function of x that is the same after every period: `one` of what x is beyond the last
-/// beginning of one.
+/// Returns a periodic function of x: `one` of the distance from x to the last beginning of a
+/// period.
 pub(crate) fn repeated(
     x: &Series,
     start: f64,
@@ -118,7 +118,7 @@ pub(crate) fn repeated(
     let last = periods.hi();
     let repeats = || agreement([one, one], [period, 0.0], [Some(0.0), Some(period)]);
     if !(last - first <= MOST as f64 && first.abs() < 1e9) {
-        // all there is in one period, wherever in it x may be
+        // The values over one whole period contain those of every x.
         let whole = one(
             &local.with_value(Interval::near(0.0, period).hull(Interval::near(period, period)))
         )?;
@@ -129,15 +129,15 @@ pub(crate) fn repeated(
     let piece = |k: usize, x: &Series| {
         let begin = Interval::from(first + k as f64) * Interval::from(period);
         let local = *x - Series::constant(begin);
-        // what lies beside the period by rounding is that of its end
+        // A number outside the period, by rounding, counts as the end of the period.
         let inside = Interval::near(0.0, begin.mag()).hull(Interval::near(period, begin.mag()));
         local.value().common(inside).map_or(Some(UNKNOWN), |inside| one(&local.with_value(inside)))
     };
     along(&local, &seams, &piece, &|_| repeats())
 }
 
-/// The same number for a function that repeats after a period: whole turns of x that are periods,
-/// but for rounding, do not matter to it.
+/// Returns x for a function with a period: whole turns of x that are periods, up to rounding, do
+/// not change the function.
 fn wound(x: &Series, period: f64) -> Option<Series> {
     let Turns { unit, most } = x.turns();
     if x.turns().is_none() {
@@ -146,7 +146,7 @@ fn wound(x: &Series, period: f64) -> Option<Series> {
     let turns = Interval::pi(2.0 * f64::from(unit));
     let count = (turns.mid() / period).round();
     let lost = (turns - Interval::from(period) * Interval::from(count)).mag();
-    // what so many periods are off, and those that x itself is away from the first
+    // The error of so many periods, and of those between x and the first period.
     let all = Interval::ball(lost)
         * Interval::from(f64::from(most) + (x.value() / Interval::from(period)).mag() + 1.0);
     (lost <= 4.0 * f64::EPSILON * turns.mag())
@@ -158,8 +158,8 @@ mod tests {
     use super::*;
     use std::f64::consts::TAU;
 
-    /// A turn is not quite the period by which it is replaced: each of those that may be off
-    /// counts, and so does each between the number and zero.
+    /// A turn differs slightly from the period that replaces it: the error includes each turn by
+    /// which the angle may be wrong, and each turn between the number and zero.
     #[test]
     fn what_turns_lose_is_in_the_number() {
         let x = Series::variable(Interval::from(3.0 * TAU), ONE, ORDER + 1);

@@ -1,39 +1,38 @@
-//! Truncated Taylor series with intervals for coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1
-//! σ + c2 σ²
-//! + ….
+//! Truncated Taylor series with intervals as coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1
+//! σ + c2 σ² + ….
 //!
-//! Run at one point, a computation gives the coefficients of its result there; run over an interval
-//! of its inputs, c_k holds f⁽ᵏ⁾/k! at every point of it, which is the remainder of Taylor's
-//! formula (Moore, *Interval Analysis*, ch. 11). How many coefficients mean anything is part of the
-//! number: over a kink only c0 and c1 do, over a jump none. Coefficient `len − 1` may itself jump,
-//! as long as those before it are continuous: that is all that Taylor's formula asks for.
+//! At one point, a computation gives the coefficients of its result there. Over an interval of its
+//! inputs, c_k holds f⁽ᵏ⁾/k! at every point of the interval, which is the remainder of Taylor's
+//! formula (Moore, *Interval Analysis*, ch. 11). The number `len` says how many coefficients have a
+//! meaning: over a kink only c0 and c1 have one, over a jump none has. Coefficient `len − 1` may
+//! jump if those before it are continuous: Taylor's formula demands no more.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::interval::{ALL, Interval, ONE, ZERO};
 
-/// The highest order that is carried.
+/// The highest order of a series.
 pub(crate) const ORDER: usize = 6;
 const FULL: usize = ORDER + 1;
 
-/// A function of σ, −1 ≤ σ ≤ 1, as bounds of its values and of its derivatives there: what
-/// [`crate::model::law::LawFunction::over`] is asked for.
+/// Bounds of the values and the derivatives of a function of σ, −1 ≤ σ ≤ 1, as
+/// [`crate::model::law::LawFunction::over`] takes and returns them.
 ///
-/// It is computed with like a number: `+`, `−`, `·`, `/`, and functions under f64's names. All
-/// results hold whatever the operands may be between their bounds, rounding included.
+/// The type has the operators of a number (`+`, `−`, `·`, `/`) and functions under the names of
+/// f64. All results hold for every value of the operands between their bounds, rounding included.
 #[derive(Clone, Copy, Debug)]
 pub struct Series {
     c: [Interval; FULL],
     len: usize,
-    /// Coefficients beyond this one are zero: most of what an equation is made of does not move, or
+    /// Coefficients with a higher index are zero. Most parts of an equation do not move, or move
     /// along a line.
     degree: usize,
     turns: Turns,
 }
 
-/// Whole turns that a function may be off by, other ones at other points: 2π `unit` n, n a whole
-/// number,
-/// |unit n| ≤ `most`. None for 0.
+/// The whole turns by which the value of a function may be wrong, possibly different ones at
+/// different points: 2π `unit` n with a whole number n of size `most` or less. A `unit` of 0 means
+/// no turns.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Turns {
     pub unit: u32,
@@ -42,19 +41,19 @@ pub(crate) struct Turns {
 
 impl Turns {
     pub const NONE: Turns = Turns { unit: 0, most: 0 };
-    /// The turns up to which an angle is known that may have passed its cut.
+    /// One turn either way: for an angle that may have passed its cut.
     pub const ONE: Turns = Turns { unit: 1, most: 1 };
 
     pub fn is_none(self) -> bool {
         self.most == 0
     }
 
-    /// Those of a sum.
+    /// Returns the turns of a sum.
     fn and(self, other: Turns) -> Turns {
         Turns { unit: divisor(self.unit, other.unit), most: self.most.saturating_add(other.most) }
     }
 
-    /// Those of a multiple, if they are whole turns again.
+    /// Returns the turns of a multiple, or `None` if they are not whole turns.
     fn times(self, factor: f64) -> Option<Turns> {
         let times = |n: u32| {
             let product = f64::from(n) * factor.abs();
@@ -66,17 +65,17 @@ impl Turns {
     }
 }
 
-/// Nothing is known of it.
+/// A series that gives no bounds.
 pub(crate) const UNKNOWN: Series =
     Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: Turns::NONE };
 
 impl Series {
-    /// A number.
+    /// Makes a constant number.
     pub fn number(x: f64) -> Self {
         Series::constant(Interval::from(x))
     }
 
-    /// The least and the largest of its values; infinite where they are not known.
+    /// Returns the least and the largest value; they are infinite where the values are unknown.
     pub fn values(&self) -> [f64; 2] {
         if self.is_open() {
             [f64::NEG_INFINITY, f64::INFINITY]
@@ -85,11 +84,12 @@ impl Series {
         }
     }
 
-    /// f of it, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth) over all of
-    /// [`Series::values`].
+    /// Returns f of the series, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth)
+    /// over all of [`Series::values`].
     ///
-    /// All but the last of them have to be continuous there: a law with a break between these
-    /// values gives no more than those up to the derivative that jumps, none where it jumps itself.
+    /// All but the last of these derivatives must be continuous there. A law with a break between
+    /// these values gives only the bounds up to the derivative that jumps, and none if the law
+    /// itself jumps.
     #[must_use]
     pub fn chain(&self, f: &[[f64; 2]]) -> Self {
         if self.is_open() {
@@ -103,19 +103,19 @@ impl Series {
         self.compose(&coefficients.collect::<Vec<_>>())
     }
 
-    /// A number that does not change.
+    /// Makes a constant with the bounds `x`.
     pub(crate) fn constant(x: Interval) -> Self {
         let mut c = [ZERO; FULL];
         c[0] = x;
         Series { c, len: FULL, degree: 0, turns: Turns::NONE }
     }
 
-    /// x + v σ, `len` coefficients of which are asked for.
+    /// Makes x + v σ with `len` coefficients.
     pub(crate) fn variable(x: Interval, v: Interval, len: usize) -> Self {
         Series::of(&[x, v], len)
     }
 
-    /// The first `len` coefficients of a polynomial.
+    /// Makes a series from the first `len` coefficients of a polynomial.
     pub(crate) fn of(c: &[Interval], len: usize) -> Self {
         let mut series = Series { len, ..Series::constant(ZERO) };
         series.c.iter_mut().zip(c).for_each(|(to, from)| *to = *from);
@@ -123,7 +123,7 @@ impl Series {
         series
     }
 
-    /// Coefficients from a recurrence: each from those before it.
+    /// Makes a series by a recurrence, which gives each coefficient from those before it.
     pub(crate) fn recurring(
         first: Interval,
         len: usize,
@@ -137,37 +137,37 @@ impl Series {
         Series { c, len, degree: len.saturating_sub(1), turns: Turns::NONE }
     }
 
-    /// How many coefficients are known.
+    /// Returns how many coefficients are known.
     pub(crate) fn len(&self) -> usize {
         self.len
     }
 
-    /// The coefficients that are known.
+    /// Returns the coefficients that are known.
     pub(crate) fn known(&self) -> &[Interval] {
         &self.c[..self.len]
     }
 
-    /// Coefficient k; everything where it is not known.
+    /// Returns coefficient k, or the interval of all numbers if the coefficient is unknown.
     pub(crate) fn at(&self, k: usize) -> Interval {
         if k < self.len { self.c[k] } else { ALL }
     }
 
-    /// Its values, all of them.
+    /// Returns bounds of all values.
     pub(crate) fn value(&self) -> Interval {
         self.at(0)
     }
 
-    /// True if it is known not to change.
+    /// Returns true if the series is known to be constant.
     pub(crate) fn is_constant(&self) -> bool {
         self.len == FULL && self.degree == 0
     }
 
-    /// The number that it is, if it is one that is known.
+    /// Returns the value of a constant whose bounds coincide, else `None`.
     pub(crate) fn as_number(&self) -> Option<f64> {
         (self.is_constant() && self.value().is_thin()).then_some(self.value().mid())
     }
 
-    /// Coefficients beyond this one are zero.
+    /// Returns the index of the last coefficient that may differ from zero.
     pub(crate) fn degree(&self) -> usize {
         self.degree
     }
@@ -176,28 +176,28 @@ impl Series {
         self.turns
     }
 
-    /// True if nothing of it is known, or it only up to whole turns.
+    /// Returns true if the series gives no bounds, or only bounds up to whole turns.
     pub(crate) fn is_open(&self) -> bool {
         self.len == 0 || !self.turns.is_none()
     }
 
-    /// The same, known up to whole turns alone.
+    /// Returns the series with bounds that hold only up to `turns`.
     pub(crate) fn up_to(self, turns: Turns) -> Self {
         Series { turns, ..self }
     }
 
-    /// No more than `len` coefficients of it.
+    /// Returns the series with `len` coefficients at most.
     pub(crate) fn cut(self, len: usize) -> Self {
         Series { len: self.len.min(len), ..self }
     }
 
-    /// The same with other values.
+    /// Returns the series with other bounds of the values.
     pub(crate) fn with_value(mut self, x: Interval) -> Self {
         self.c[0] = x;
         self
     }
 
-    /// Coefficient by coefficient.
+    /// Applies f to the coefficients of both series, one by one.
     fn each(&self, other: &Self, f: impl Fn(Interval, Interval) -> Interval) -> Self {
         let len = self.len.min(other.len);
         let degree = self.degree.max(other.degree);
@@ -206,55 +206,55 @@ impl Series {
         Series { c, len, degree, turns: Turns::NONE }
     }
 
-    /// A function that is this one somewhere and the other elsewhere.
+    /// Returns a series that bounds both functions at each point.
     pub(crate) fn hull(&self, other: &Self) -> Self {
         self.each(other, Interval::hull)
     }
 
-    /// A function that goes over from this one to the other where so many coefficients of both
-    /// agree: the first one that does not may jump.
+    /// Returns bounds of a function that changes from this one to the other at a point where
+    /// `agreement` coefficients of both agree. The first coefficient that does not agree may jump.
     pub(crate) fn joined(&self, other: &Self, agreement: usize) -> Self {
         if agreement == 0 { UNKNOWN } else { self.hull(other).cut(agreement + 1) }
     }
 
-    /// x²
+    /// Returns x².
     #[must_use]
     pub fn sqr(self) -> Self {
         (self * self).with_value(self.c[0].sqr())
     }
 
-    /// 1/x
+    /// Returns 1/x.
     #[must_use]
     pub fn recip(self) -> Self {
         Series::constant(ONE) / self
     }
 
-    /// factor · x
+    /// Returns factor · x.
     #[must_use]
     pub fn times(self, factor: f64) -> Self {
         self * Series::constant(Interval::from(factor))
     }
 
-    /// x + c
+    /// Returns x + c.
     #[must_use]
     pub fn plus(self, c: f64) -> Self {
         self + Series::constant(Interval::from(c))
     }
 
-    /// The function whose slope is r(x) x′ and whose values are `value`: f(x) where r(x) is f′(x).
+    /// Returns the function f(x) with values `value` and slope r(x) x′, where r(x) is f′(x).
     pub(crate) fn integral(&self, value: Interval, r: &Series) -> Self {
-        // without its slope no more is known of it than its values
+        // Without the slope, only the values are known.
         Series::recurring(value, self.len.min(r.len + 1), |k, _| self.slope_times(&r.c, k))
     }
 
-    /// Σ j x_j r_(k−j) / k over j = 1 … k: coefficient k of ∫ r x′.
+    /// Returns Σ j x_j r_(k−j) / k over j = 1 … k: coefficient k of ∫ r x′.
     pub(crate) fn slope_times(&self, r: &[Interval], k: usize) -> Interval {
         let terms =
             (1..=k.min(self.degree)).map(|j| Interval::from(j as f64) * self.c[j] * r[k - j]);
         terms.fold(ZERO, Add::add) / Interval::from(k as f64)
     }
 
-    /// f(self) from the coefficients of f at its values.
+    /// Returns f(self) from the coefficients of f at the values of `self`.
     pub(crate) fn compose(&self, f: &[Interval]) -> Self {
         let len = self.len.min(f.len());
         if len == 0 {

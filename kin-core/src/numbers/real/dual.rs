@@ -1,4 +1,4 @@
-//! The operations of a number under [`Real`](super::Real): arithmetic, composition and division
+//! The operations of the number in a [`Real`](super::Real): arithmetic, composition and division
 //! that are right at the edges.
 
 use std::fmt::{Debug, Display};
@@ -25,63 +25,68 @@ pub trait Dual:
     + Sync
     + 'static
 {
-    /// True if the number notes where it ceases to be finite: only when a failure is looked into.
+    /// True if the number records where it ceases to be finite. Only the search for the cause of a
+    /// failure uses such a number.
     #[doc(hidden)]
     const TRACED: bool = false;
 
-    /// The real part.
+    /// Returns the real part.
     fn value(&self) -> f64;
 
-    /// A number without derivatives.
+    /// Makes a number without derivatives.
     fn constant(x: f64) -> Self;
 
-    /// True if nothing moves it: its derivatives are zero by structure, not by chance.
+    /// Returns true if no direction moves the number: its derivatives are zero by structure, not by
+    /// chance.
     fn is_constant(&self) -> bool;
 
-    /// True if its first derivatives are zero, for whatever reason.
+    /// Returns true if the first derivatives are zero, by structure or by chance.
     fn is_at_rest(&self) -> bool;
 
-    /// The same derivatives at another real part.
+    /// Returns a number with the same derivatives and another real part.
     fn with_value(self, x: f64) -> Self;
 
-    /// The same value without derivatives.
+    /// Returns a constant of the same value.
     fn still(self) -> Self {
         Self::constant(self.value())
     }
 
-    /// Composition with a scalar function (Faà di Bruno): `f` is its value and first three
-    /// derivatives at the real part.
+    /// Composes a scalar function with the number (Faà di Bruno).
     ///
-    /// A constant stays one, whatever its derivative would be; so does a number that has
-    /// overflowed, where the function is finite: it is flat there.
+    /// `f` holds the value and the first three derivatives of the function at the real part. A
+    /// constant stays constant, whatever the derivatives are. A number that has overflowed gives a
+    /// constant where the function is finite, because the function is flat there.
     fn chain(self, f: [f64; 4]) -> Self;
 
-    /// The same from f, f′, f″/f′² and f‴/f′³: of functions whose derivatives become small as their
-    /// arguments become large, so that neither is too large or too small for a number.
+    /// Composes a scalar function given by f, f′, f″/f′² and f‴/f′³.
+    ///
+    /// The scaled form is for functions whose derivatives become small for large arguments: the
+    /// scaled derivatives neither overflow nor underflow.
     fn chain_scaled(self, f: [f64; 4]) -> Self;
 
-    /// self / b by the recurrence (q b)⁽ⁿ⁾ = a⁽ⁿ⁾, with a's real part divided by b's as in `f64`. A
-    /// divisor that has overflowed counts as constant.
+    /// Returns self / b by the recurrence (q b)⁽ⁿ⁾ = a⁽ⁿ⁾, a being `self`; the real part is the
+    /// quotient in `f64`. A divisor that has overflowed counts as constant.
     fn quotient(self, b: Self) -> Self;
 
-    /// The same number, of which is noted how it grows.
+    /// Returns the number with a mark of its growth.
     #[doc(hidden)]
     fn growing(self, growth: Growth) -> Self;
 }
 
-/// How a function grows.
+/// The growth of the values of a function.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// Its values are small and finite, whatever the argument.
+    /// The values are small and finite for every argument.
     Bounded,
-    /// As an exponential or a power: it may overflow though what is made of it does not.
+    /// The values grow like an exponential or a power: a value may overflow where a function of it
+    /// does not.
     Bursting,
-    /// It makes what is large small, and has poles.
+    /// The function makes large arguments small, and has poles.
     Logarithmic,
-    /// It is infinite at a pole.
+    /// The function is infinite at a pole.
     Pole,
-    /// As a falling power: it bursts, and has poles.
+    /// The values grow like a power with a negative exponent: they burst, and have poles.
     BurstingPole,
 }
 

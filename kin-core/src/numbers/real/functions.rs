@@ -1,5 +1,5 @@
-//! Functions of one variable by the list: the slopes of most are written by hand, those of all
-//! others follow from their rules.
+//! The functions of one variable in the list. The slopes of most functions are written by hand; the
+//! others follow from the rules of the list.
 
 use std::cmp::Ordering;
 use std::f64::consts::{LN_2, LN_10};
@@ -10,12 +10,12 @@ use kin_graph::{Function, rules};
 
 use super::{Dual, Dual2_64, Dual64, Growth, Real};
 
-/// Numbers composed with functions: what is written by hand below, being faster or keeping more
-/// digits than the rule of the list, stands before what [`ByRule`] has for each function.
+/// The target of both macros: a function written by hand below has precedence over the rule in
+/// [`ByRule`]. The version by hand is faster or keeps more digits.
 struct Composed;
 
-/// Compositions from lines `name(x) = [f, f′, f″, f‴];`; for `chain_scaled`, of functions that take
-/// what is large and make it small, from lines `name(x) = [f, f′, f″/f′², f‴/f′³];`.
+/// Defines compositions from lines `name(x) = [f, f′, f″, f‴];`. For `chain_scaled`, which is for
+/// functions that make large arguments small, the lines are `name(x) = [f, f′, f″/f′², f‴/f′³];`.
 macro_rules! by_hand {
     ([$chain:ident] $($name:ident($x:ident) = $f:expr;)*) => {
         impl Composed {$(
@@ -28,11 +28,11 @@ macro_rules! by_hand {
     };
 }
 
-/// Each function of the list as a method of numbers.
+/// Defines each function of the list as a method of numbers.
 macro_rules! of_one {
     ($($(#[$doc:meta])* $variant:ident $method:ident $written:literal $entry:tt)*) => {
-        /// Compositions by the rules of the list.
-        // Those that are written by hand too are not called.
+        /// The compositions by the rules of the list.
+        // A function that is also written by hand does not call its rule.
         #[allow(dead_code)]
         trait ByRule {$(
             fn $method<D: Dual>(u: D) -> D {
@@ -55,8 +55,8 @@ kin_graph::functions_of_one!(of_one);
 
 impl ByRule for Composed {}
 
-/// f(u), from the rule of its slope: f″ is the slope of the rule along (u, y) = (x + ε, f + f′ ε),
-/// f‴ its curvature along (x + ε, f + f′ ε + f″ ε²/2).
+/// Returns f(u) from the rule for the slope of f: f″ is the slope of the rule along (u, y) = (x +
+/// ε, f + f′ ε), f‴ its curvature along (x + ε, f + f′ ε + f″ ε²/2).
 fn by_rule<D: Dual>(f: Function, u: D) -> D {
     let x = u.value();
     let value = f.value()(x);
@@ -74,7 +74,7 @@ fn by_rule<D: Dual>(f: Function, u: D) -> D {
     u.chain([value, first, second, third])
 }
 
-/// The growth that is noted of its values.
+/// Returns the growth of the values of f, or `None` if the list records none.
 const fn growth(f: Function) -> Option<Growth> {
     let facts = f.facts();
     match facts.growth {
@@ -86,7 +86,7 @@ const fn growth(f: Function) -> Option<Growth> {
     }
 }
 
-/// Methods that ask about the real part.
+/// Defines methods that test the real part.
 macro_rules! questions {
     ($($(#[$doc:meta])* $name:ident;)*) => {
         impl<D: Dual> Real<D> {$(
@@ -130,54 +130,55 @@ by_hand! {
 }
 
 questions! {
-    /// True if the real part is finite.
+    /// Returns true if the real part is finite.
     is_finite;
-    /// True if the real part is ±∞.
+    /// Returns true if the real part is ±∞.
     is_infinite;
-    /// True if the real part is NaN.
+    /// Returns true if the real part is NaN.
     is_nan;
-    /// True if the real part has a minus sign, −0 included.
+    /// Returns true if the real part has a minus sign, −0 included.
     is_sign_negative;
-    /// True if the real part has no minus sign, +0 included.
+    /// Returns true if the real part has no minus sign, +0 included.
     is_sign_positive;
-    /// True if the real part is neither 0, subnormal, infinite nor NaN.
+    /// Returns true if the real part is neither 0, subnormal, infinite nor NaN.
     is_normal;
-    /// True if the real part is subnormal.
+    /// Returns true if the real part is subnormal.
     is_subnormal;
 }
 
 impl<D: Dual> Real<D> {
-    /// From degrees to radians: π/180 x.
+    /// Converts degrees to radians: π/180 x.
     #[inline]
     pub fn to_radians(self) -> Self {
         self.chain([self.value().to_radians(), 1f64.to_radians(), 0.0, 0.0])
     }
 
-    /// From radians to degrees: 180/π x.
+    /// Converts radians to degrees: 180/π x.
     #[inline]
     pub fn to_degrees(self) -> Self {
         self.chain([self.value().to_degrees(), 1f64.to_degrees(), 0.0, 0.0])
     }
 
-    /// The nearest whole number, halves to the even one; slope 0.
+    /// Rounds to the nearest whole number, and a half to the even one; the slope is 0.
     #[inline]
     pub fn round_ties_even(self) -> Self {
         Real(self.0.still()).with_value(self.value().round_ties_even())
     }
 
-    /// The real parts in f64's total order, which has a place for NaN and tells −0 from +0.
+    /// Compares the real parts in the total order of f64, which orders NaN and distinguishes −0
+    /// from +0.
     #[inline]
     pub fn total_cmp(&self, other: &Self) -> Ordering {
         self.value().total_cmp(&other.value())
     }
 
-    /// The category of the real part: normal, zero, infinite and so on.
+    /// Returns the category of the real part: normal, zero, infinite and so on.
     #[inline]
     pub fn classify(self) -> FpCategory {
         self.value().classify()
     }
 
-    /// (sin x, cos x), x in rad.
+    /// Returns (sin x, cos x), x in rad.
     #[inline]
     pub fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.value().sin_cos();
@@ -187,13 +188,13 @@ impl<D: Dual> Real<D> {
         )
     }
 
-    /// 1/x; ±∞ at 0.
+    /// Returns 1/x; the value at 0 is ±∞.
     #[inline]
     pub fn recip(self) -> Self {
         (Self::constant(1.0) / self).with_value(self.value().recip())
     }
 
-    /// xⁿ; x⁰ = 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
+    /// Returns xⁿ. x⁰ is 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
     #[inline]
     pub fn powi(self, n: i32) -> Self {
         let x = self.value();
@@ -213,7 +214,7 @@ impl<D: Dual> Real<D> {
         .growing_as_power(c)
     }
 
-    /// The same number, noted as an n-th power.
+    /// Returns the number with the growth of an n-th power.
     #[inline]
     pub(super) fn growing_as_power(self, n: f64) -> Self {
         match (n < 0.0, n.abs() > 4.0) {
@@ -234,8 +235,8 @@ impl<D: Dual> Real<D> {
         growth.map_or(self, |growth| self.growing(growth))
     }
 
-    /// xⁿ, whose value is y, as y (x/x₀)ⁿ about x₀ = x: no power of x is too large or too small on
-    /// the way.
+    /// Returns xⁿ, whose value is y, as y (x/x₀)ⁿ about x₀ = x. No intermediate power of x
+    /// overflows or underflows.
     pub(super) fn power(self, y: f64, n: f64) -> Self {
         let x = self.value();
         let slopes = [n, n * (n - 1.0), n * (n - 1.0) * (n - 2.0)];
@@ -248,7 +249,7 @@ impl<D: Dual> Real<D> {
     }
 }
 
-/// Three derivatives of arcsin: (1 − x²)^(−1/2), x (…)^(−3/2), (1 + 2x²) (…)^(−5/2).
+/// Returns three derivatives of arcsin: (1 − x²)^(−1/2), x (…)^(−3/2), (1 + 2x²) (…)^(−5/2).
 #[inline]
 fn arc_slopes(x: f64) -> [f64; 3] {
     let w = (1.0 - x) * (1.0 + x);
@@ -256,7 +257,8 @@ fn arc_slopes(x: f64) -> [f64; 3] {
     [d, x * d / w, (1.0 + 2.0 * x * x) * d / (w * w)]
 }
 
-/// Three derivatives of arctan: w = 1/(1 + x²), −2 (x w) w, (6 − 8w) w², finite for every x.
+/// Returns three derivatives of arctan, finite for every x: w = 1/(1 + x²), −2 (x w) w, (6 − 8w)
+/// w².
 #[inline]
 pub(super) fn atan_slopes(x: f64) -> [f64; 3] {
     let w = (1.0 + x * x).recip();

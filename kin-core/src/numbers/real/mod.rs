@@ -1,22 +1,23 @@
-//! Numbers that carry derivatives: [`Real<D>`], Kin's own layer over num-dual's scalars, marked by
-//! what moves them.
+//! Numbers that carry derivatives: [`Real<D>`] wraps the scalars of num-dual and marks the
+//! directions that move them.
 //!
-//! `Real<D>` reads like an `f64`: the same operators with `f64` on either side, the same function
-//! names, comparisons of real parts. Its real part is, bit for bit, what the same expression gives
-//! in `f64`. Its derivatives are right at the edges, where num-dual 0.15 has NaN traps; no function
-//! panics. The rules:
+//! `Real<D>` reads like an `f64`: it has the same operators with `f64` on either side, the same
+//! function names, and comparisons of real parts. The real part is, bit for bit, the value that the
+//! same expression gives in `f64`. The derivatives are right at the edges, where num-dual 0.15
+//! gives NaN; no function panics. The rules:
 //!
-//! * A number knows whether it moves. One that does not (a constant, or the side taken of `max`,
-//!   `min`, `clamp`, `if`) has tangents that are zero by structure, and stays constant, whatever
-//!   derivative it meets: √0 of a constant is a constant 0. A tangent that happens to be zero is a
-//!   number like any other: x² + y² at x = y = 0 moves, and its square root has no slope there. The
-//!   symbolic route keeps to the same rule (`kin_graph::differentiate`), and so does the search for
-//!   what is to blame.
+//! * A number knows whether it moves. A number that does not move (a constant, or the constant side
+//!   of `max`, `min`, `clamp`, `if`) has tangents that are zero by structure, and it stays
+//!   constant, whatever derivative a function has there: √0 of a constant is a constant 0. A number
+//!   whose tangent happens to be zero still moves: x² + y² at x = y = 0 moves, and its square root
+//!   has no slope there. The symbolic route keeps to the same rule (`kin_graph::differentiate`),
+//!   and so does the search for the cause of a singular term.
 //! * At a true singularity (√ of a variable at 0) derivatives are infinite or NaN.
-//! * An exponential or power that has overflowed is as good as a constant to a function that is
-//!   finite there: 1/(1 + eˣ) is 0 for large x, and so is its slope. Not so at a pole: arctan(1/x)
-//!   jumps at 0.
-//! * At a kink the documented side is taken: `abs` that of x ≥ 0, `max` and `min` that of `self`.
+//! * An exponential or a power that has overflowed counts as a constant for a function that is
+//!   finite there: 1/(1 + eˣ) is 0 for large x, and its slope is 0. The rule does not hold at a
+//!   pole: arctan(1/x) jumps at 0.
+//! * At a kink the documented side applies: `abs` takes the side x ≥ 0, `max` and `min` the side of
+//!   `self`.
 
 mod dual;
 mod functions;
@@ -36,46 +37,50 @@ pub use moving::{Dual2_64, Dual3_64, Dual64, HyperDual64, Moving};
 pub(crate) use ops::{assign, by_ref};
 pub(crate) use traced::{Fault, TIME, Traced, ended, fault_of};
 
-/// A number with derivatives along one or two directions; `D` says which: `f64` (none), [`Dual64`]
-/// (first), [`Dual2_64`] (second), [`Dual3_64`] (third) or [`HyperDual64`] (mixed second). Same
-/// unit as the quantity it stands for.
+/// A number with derivatives along one or two directions.
+///
+/// The type `D` selects the derivatives: `f64` (none), [`Dual64`] (first), [`Dual2_64`] (second),
+/// [`Dual3_64`] (third) or [`HyperDual64`] (mixed second). The number has the unit of the quantity
+/// that it represents.
 #[derive(Clone, Copy, Debug)]
 pub struct Real<D>(pub D);
 
 impl<D: Dual> Real<D> {
-    /// The real part, without derivatives.
+    /// Returns the real part, without derivatives.
     #[inline]
     pub fn value(self) -> f64 {
         self.0.value()
     }
 
-    /// True if nothing moves it.
+    /// Returns true if no direction moves the number.
     #[inline]
     pub fn is_constant(self) -> bool {
         self.0.is_constant()
     }
 
-    /// A number without derivatives.
+    /// Makes a number without derivatives.
     #[inline]
     fn constant(x: f64) -> Self {
         Real(D::constant(x))
     }
 
-    /// The same derivatives at another real part.
+    /// Returns a number with the same derivatives and another real part.
     #[inline]
     fn with_value(self, x: f64) -> Self {
         Real(self.0.with_value(x))
     }
 
-    /// f(self), from f and its first three derivatives at the real part: for laws and tables that
-    /// know their own derivatives. A constant stays one, whatever its derivatives; those beyond the
-    /// ones of `D` are not used.
+    /// Returns f(self) from f and its first three derivatives at the real part of `self`.
+    ///
+    /// Laws and tables that know their derivatives use this function. A constant stays constant,
+    /// whatever the derivatives are. The function ignores derivatives of a higher order than `D`
+    /// carries.
     #[inline]
     pub fn chain(self, f: [f64; 4]) -> Self {
         Real(self.0.chain(f))
     }
 
-    /// 0 with no derivative: a zero length, singular unless `self` is constant.
+    /// Returns 0 for a zero length: the derivatives are NaN unless `self` is constant.
     #[inline]
     pub(crate) fn singular(self) -> Self {
         self.chain([0.0, f64::NAN, f64::NAN, f64::NAN])
@@ -83,7 +88,7 @@ impl<D: Dual> Real<D> {
 }
 
 impl<D: Dual> From<f64> for Real<D> {
-    /// A number without derivatives.
+    /// Makes a number without derivatives.
     #[inline]
     fn from(x: f64) -> Self {
         Self::constant(x)
@@ -91,7 +96,7 @@ impl<D: Dual> From<f64> for Real<D> {
 }
 
 impl<D: Dual> From<i32> for Real<D> {
-    /// A whole number, without derivatives.
+    /// Makes a number without derivatives from a whole number.
     #[inline]
     fn from(n: i32) -> Self {
         Self::constant(f64::from(n))
@@ -99,7 +104,7 @@ impl<D: Dual> From<i32> for Real<D> {
 }
 
 impl<D: Dual> From<u32> for Real<D> {
-    /// A whole number, without derivatives.
+    /// Makes a number without derivatives from a whole number.
     #[inline]
     fn from(n: u32) -> Self {
         Self::constant(f64::from(n))
@@ -107,7 +112,7 @@ impl<D: Dual> From<u32> for Real<D> {
 }
 
 impl<D: Dual> Default for Real<D> {
-    /// 0, without derivatives.
+    /// Returns 0, without derivatives.
     #[inline]
     fn default() -> Self {
         Self::constant(0.0)
@@ -115,7 +120,7 @@ impl<D: Dual> Default for Real<D> {
 }
 
 impl<D: Dual> fmt::Display for Real<D> {
-    /// The number with its derivatives, as num-dual writes them.
+    /// Writes the number with its derivatives in the format of num-dual.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(&self.0, f)
     }

@@ -1,36 +1,38 @@
-//! Num-dual's scalars with marks: by which directions they move, and how they grow.
+//! Scalars of num-dual with marks: the directions that move a number, and the growth of its values.
 
 use std::fmt::{self, Display};
 use std::ops::{Add, Deref, Mul, Neg, Sub};
 
 use super::dual::{Dual, Growth, sealed};
 
-/// A number of num-dual that knows by which of its directions it is moved. See
-/// [`Real`](super::Real) for the rule.
+/// A number of num-dual that knows which of its directions move it.
+///
+/// [`Real`](super::Real) explains the rule.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T> {
     number: T,
-    /// One bit for each direction, and the two of its growth.
+    /// Bits 0 and 1 (`DIRECTIONS`): the directions that move the number. Bits 2 and 3 (`BURSTS`,
+    /// `POLES`): its growth.
     marks: u8,
 }
 
-/// The directions.
+/// The bits of the two directions.
 const DIRECTIONS: u8 = 3;
-/// It grows as an exponential does; and it may be infinite at a pole, where a function of it may
-/// jump.
+/// `BURSTS`: the number grows like an exponential. `POLES`: it may be infinite at a pole, where a
+/// function of it may jump.
 const BURSTS: u8 = 4;
 const POLES: u8 = 8;
 
-/// A number with a first derivative: `re`, `eps`.
+/// A number with a first derivative; the parts are `re`, `eps`.
 pub type Dual64 = Moving<num_dual::Dual64>;
-/// A number with two derivatives along one direction: `re`, `v1`, `v2`.
+/// A number with two derivatives along one direction; the parts are `re`, `v1`, `v2`.
 pub type Dual2_64 = Moving<num_dual::Dual2_64>;
-/// A number with three derivatives along one direction: `re`, `v1`, `v2`, `v3`.
+/// A number with three derivatives along one direction; the parts are `re`, `v1`, `v2`, `v3`.
 pub type Dual3_64 = Moving<num_dual::Dual3_64>;
-/// A number with derivatives along two directions: `re`, `eps1`, `eps2`, `eps1eps2`.
+/// A number with derivatives along two directions; the parts are `re`, `eps1`, `eps2`, `eps1eps2`.
 pub type HyperDual64 = Moving<num_dual::HyperDual64>;
 
-/// Its parts by their names.
+/// Gives access to the parts of the number by their names.
 impl<T> Deref for Moving<T> {
     type Target = T;
 
@@ -41,12 +43,12 @@ impl<T> Deref for Moving<T> {
 }
 
 impl<T> Moving<T> {
-    /// The marks of the number beside its derivatives.
+    /// Returns the bits of [`Moving::marks`].
     pub(crate) fn marks(&self) -> u8 {
         self.marks
     }
 
-    /// The same number with the growth of another one's marks.
+    /// Returns the number with the growth bits of `marks` and its present direction bits.
     pub(crate) fn with_growth_of(self, marks: u8) -> Self {
         Moving { marks: (self.marks & DIRECTIONS) | (marks & !DIRECTIONS), ..self }
     }
@@ -63,7 +65,8 @@ macro_rules! operators {
         impl<T: $op<Output = T>> $op for Moving<T> {
             type Output = Self;
 
-            // A result moves as soon as one of both does, whatever the operation.
+            // A result moves along a direction if one of both operands does, whatever the
+            // operation.
             #[inline]
             #[allow(clippy::suspicious_arithmetic_impl)]
             fn $f(self, other: Self) -> Self {
@@ -93,8 +96,8 @@ impl<T: Neg<Output = T>> Neg for Moving<T> {
     }
 }
 
-/// [`Dual`] for a number with parts `re` and the listed ones, from its chain rules and its
-/// quotient, `q` being its real part.
+/// Implements [`Dual`] for a number with the part `re` and the listed parts, from its chain rules
+/// and its quotient rule. `q` is the real part of the quotient.
 macro_rules! dual {
     (
         $number:ident [$($part:ident),*] at rest |$r:ident| $rest:expr,
@@ -103,7 +106,7 @@ macro_rules! dual {
         quotient |$a:ident, $b:ident, $q:ident| $quotient:expr
     ) => {
         impl Moving<num_dual::$number> {
-            /// A number that does not move.
+            /// Makes a number that does not move.
             #[inline]
             pub fn from_re(re: f64) -> Self {
                 Moving { number: num_dual::$number::from_re(re), marks: 0 }
@@ -182,14 +185,14 @@ macro_rules! dual {
         }
 
         impl Moving<num_dual::$number> {
-            /// True if a function with these derivatives gives a constant: of one, or where its
-            /// argument has overflowed.
+            /// Returns true if a function with these derivatives gives a constant: the number is
+            /// constant, or it has overflowed and the function is finite there.
             #[inline]
             fn is_flat(&self, f: &[f64; 4]) -> bool {
                 self.is_constant() || (self.has_overflowed() && f[0].is_finite())
             }
 
-            /// True if it has grown too large for a number, and does not stand at a pole.
+            /// Returns true if the number is too large for an f64 and is not at a pole.
             #[inline]
             fn has_overflowed(&self) -> bool {
                 self.re.is_infinite() && self.marks & (BURSTS | POLES) == BURSTS
@@ -253,7 +256,8 @@ dual! { HyperDual64 [eps1, eps2, eps1eps2] at rest |x| x.eps1 == 0.0 && x.eps2 =
 }
 
 impl Dual64 {
-    /// A number with a rate along the one direction, by which it is moved though the rate be zero.
+    /// Makes a number that moves along the one direction with the rate `eps`; the number moves even
+    /// where `eps` is 0.
     #[inline]
     pub fn new(re: f64, eps: f64) -> Self {
         Moving { number: num_dual::Dual64::new(re, eps), marks: 1 }
@@ -261,13 +265,14 @@ impl Dual64 {
 }
 
 impl Dual2_64 {
-    /// The same with a second rate.
+    /// Makes a number that moves along the one direction, from its value and its first two
+    /// derivatives.
     #[inline]
     pub fn new(re: f64, v1: f64, v2: f64) -> Self {
         Moving { number: num_dual::Dual2_64::new(re, v1, v2), marks: 1 }
     }
 
-    /// The same of something that moves where a condition holds, and is constant elsewhere.
+    /// Makes a number as [`Dual2_64::new`] does if `moves` is true, and else the constant `re`.
     #[inline]
     pub fn moving_where(moves: bool, re: f64, v1: f64, v2: f64) -> Self {
         if moves { Self::new(re, v1, v2) } else { Self::from_re(re) }
@@ -275,7 +280,8 @@ impl Dual2_64 {
 }
 
 impl Dual3_64 {
-    /// The same with a third rate.
+    /// Makes a number that moves along the one direction, from its value and its first three
+    /// derivatives.
     #[inline]
     pub fn new(re: f64, v1: f64, v2: f64, v3: f64) -> Self {
         Moving { number: num_dual::Dual3_64::new(re, v1, v2, v3), marks: 1 }
@@ -283,22 +289,24 @@ impl Dual3_64 {
 }
 
 impl HyperDual64 {
-    /// A number that both directions move.
+    /// Makes a number that both directions move, from its value, its two slopes and the mixed
+    /// second derivative.
     pub fn new(re: f64, eps1: f64, eps2: f64, eps1eps2: f64) -> Self {
         Moving { number: num_dual::HyperDual64::new(re, eps1, eps2, eps1eps2), marks: 3 }
     }
 
-    /// A number that the first direction moves alone.
+    /// Makes a number that only the first direction moves, with the slope `rate`.
     pub fn along_first(re: f64, rate: f64) -> Self {
         Moving { number: num_dual::HyperDual64::new(re, rate, 0.0, 0.0), marks: 1 }
     }
 
-    /// A number that the second direction moves alone.
+    /// Makes a number that only the second direction moves, with the slope `rate`.
     pub fn along_second(re: f64, rate: f64) -> Self {
         Moving { number: num_dual::HyperDual64::new(re, 0.0, rate, 0.0), marks: 2 }
     }
 
-    /// Both rates times a slope, which those that do not move have none of.
+    /// Returns both rates times a slope; the product is 0 along a direction that does not move the
+    /// number.
     #[inline]
     fn each(&self, slope: f64) -> [f64; 2] {
         let rate = |bit: u8, rate: f64| if self.marks & bit == 0 { 0.0 } else { rate * slope };
@@ -348,7 +356,7 @@ mod tests {
         assert!(constant.v3 == 0.0 && constant.is_constant());
         let along_t = HyperDual64::along_second(0.0, 1.0).chain(infinite);
         assert_eq!((along_t.eps1, along_t.eps2, along_t.eps1eps2), (0.0, f64::INFINITY, 0.0));
-        // That a tangent happens to be zero does not make the number a constant.
+        // A tangent that happens to be zero does not make the number a constant.
         let x = Dual3_64::new(0.0, 1.0, 0.0, 0.0);
         assert!((x * x).v1 == 0.0 && !(x * x).is_constant() && (x * x).chain(infinite).v1.is_nan());
         assert!(!(x - x).is_constant() && !Dual64::new(1.0, 0.0).is_constant());

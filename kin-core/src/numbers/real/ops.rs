@@ -52,7 +52,7 @@ macro_rules! by_ref {
 }
 pub(crate) use by_ref;
 
-/// Implements `a ∘= b`, b by value and by reference, through `a ∘ b`.
+/// Implements `a ∘= b` through `a ∘ b`, with b by value and by reference.
 macro_rules! assign {
     ([$($generics:tt)*] $op:ident::$f:ident by $base:ident::$g:ident, $l:ty, $r:ty) => {
         impl<$($generics)*> $op<$r> for $l {
@@ -82,7 +82,7 @@ macro_rules! operator {
     };
 }
 
-// Each line: the operator on two numbers; on a number and an f64; on an f64 and a number.
+// Each line gives the operator on two numbers, on a number and an f64, and on an f64 and a number.
 operator!(Add::add, AddAssign::add_assign, |a, b| Real(a.0 + b.0), Real(a.0 + b), Real(b.0 + a));
 operator!(Sub::sub, SubAssign::sub_assign, |a, b| Real(a.0 - b.0), Real(a.0 - b), Real(-b.0 + a));
 operator!(Mul::mul, MulAssign::mul_assign, |a, b| Real(a.0 * b.0), Real(a.0 * b), Real(b.0 * a));
@@ -101,20 +101,20 @@ operator!(
     remainder(a.into(), b)
 );
 
-/// a/b; of constants it is constant, though it be not finite.
+/// Returns a/b. The quotient of two constants is a constant, even if it is not finite.
 #[inline]
 fn quotient<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
     Real(a.0.quotient(b.0))
 }
 
-/// a % b = a − n b with the whole number n = trunc(a/b), which changes nowhere but at jumps.
+/// Returns a % b = a − n b with the whole number n = trunc(a/b); n is constant except at jumps.
 fn remainder<D: Dual>(a: Real<D>, b: Real<D>) -> Real<D> {
     a.less_whole(b, a.value() % b.value())
 }
 
 impl<D: Dual> Real<D> {
-    /// a − n b with the whole number n that makes it `rest`; n is read off `rest`, since a/b may
-    /// round across a whole number.
+    /// Returns a − n b with the whole number n that makes the value `rest`. The function computes n
+    /// from `rest`, because a/b may round across a whole number.
     pub(super) fn less_whole(self, b: Self, rest: f64) -> Self {
         let n = ((self.value() - rest) / b.value()).round();
         let reduced = if b.is_constant() { self } else { self - b * n };

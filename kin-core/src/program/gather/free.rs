@@ -1,6 +1,5 @@
-//! Parameters and laws that a program leaves free because they differ from case to case: the former
-//! are inputs of the stages, the latter are asked time by time instead of being written out. All
-//! else is folded.
+//! Parameters and laws that differ from case to case. Such parameters become inputs of the stages;
+//! such laws are evaluated time by time instead of being written out. Everything else is folded.
 
 use kin_graph::{Graph, Input, Node, Op};
 
@@ -10,25 +9,27 @@ use crate::model::formula::{Given, Outside};
 use crate::model::law::Law;
 use crate::system::System;
 
-/// Some constraints as they are in one case, and which of their numbers and laws others have.
+/// Some constraints as they are in one case, with marks for the numbers and laws that differ in
+/// others.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Differences(Vec<OfBlock>);
 
-/// The same of one constraint: the parameters of its formula in their order, then its laws.
+/// The parts of one constraint: the parameters of its formula in order, then its laws.
 #[derive(Clone, Debug, Default)]
 struct OfBlock {
+    /// The index of the constraint.
     block: usize,
     parts: Vec<Part>,
 }
 
-/// A parameter or law of a constraint, and true if other cases have another one.
+/// A parameter or law of a constraint, with `differs` true if other cases have another value.
 #[derive(Clone, Debug)]
 struct Part {
     own: Own,
     differs: bool,
 }
 
-/// A parameter or law, by its number in the formula.
+/// A parameter or law, by its index in the formula.
 #[derive(Clone, Debug)]
 enum Own {
     Parameter(usize, f64),
@@ -38,35 +39,37 @@ enum Own {
 /// The numbers and laws of one case.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Case {
+    /// The values of the free parameters, by [`Input::Parameter`]; NaN if a value is unknown.
     pub parameters: Vec<f64>,
+    /// The laws of the program, by their indices.
     pub laws: Vec<Law>,
 }
 
-/// All that is free in a program, and where it is read.
+/// All free inputs of a program, with the constraints that read them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Free {
     differences: Differences,
-    /// The constraint that is gathered, if it is one that differs.
+    /// The index of the constraint that is being gathered, if it differs between cases.
     here: Option<usize>,
-    /// The constraint and number of each free parameter, [`Input::Parameter`] by its place here,
-    /// and what it is in the case of which the program was made.
+    /// The constraint and index of each free parameter, in the order of [`Input::Parameter`].
     slots: Vec<(usize, usize)>,
+    /// The values of the free parameters in the case from which the program was made.
     pub values: Vec<f64>,
-    /// The number of each free law, its constraint, and where it stands there.
+    /// Each free law, as (index in the program, constraint, place in the constraint).
     laws: Vec<(usize, usize, LawPlace)>,
 }
 
 /// The place of a law in a constraint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum LawPlace {
-    /// A law of the formula, by its number.
+    /// A law of the formula, by its index.
     Law(usize),
     /// A node of the formula that only rustc can read.
     Node(Node),
 }
 
 impl Differences {
-    /// These constraints as they are in a case; nothing differs yet.
+    /// Creates the description of these constraints in one case; nothing differs yet.
     pub(crate) fn new(system: &System, blocks: &[bool]) -> Self {
         let all = system.equations().blocks.iter().zip(blocks).enumerate();
         let own = all.filter(|(_, (_, wanted))| **wanted);
@@ -75,7 +78,7 @@ impl Differences {
         )
     }
 
-    /// Notes the numbers and laws that are others in this case.
+    /// Marks the numbers and laws that differ in this case.
     pub(crate) fn note(&mut self, system: &System) {
         for own in &mut self.0 {
             let Some(block) = system.equations().blocks.get(own.block) else { continue };
@@ -109,14 +112,14 @@ impl OfBlock {
         });
     }
 
-    /// True if all that is not free is what it was.
+    /// Returns true if everything that is not free is unchanged.
     fn fits(&self, parameters: &[f64], outside: Outside<'_>) -> bool {
         self.parts.iter().all(|part| part.differs || part.own.is_among(parameters, outside))
     }
 }
 
 impl Own {
-    /// True if a case with these parameters and laws has the same.
+    /// Returns true if a case with these parameters and laws has the same value.
     fn is_among(&self, parameters: &[f64], outside: Outside<'_>) -> bool {
         match self {
             Own::Parameter(k, own) => {
@@ -142,12 +145,12 @@ impl Free {
         Free { differences, ..Free::default() }
     }
 
-    /// The rows of this constraint are gathered from now on.
+    /// Begins to gather the rows of this constraint.
     pub(super) fn enter(&mut self, block: usize) {
         self.here = self.differences.0.iter().position(|own| own.block == block);
     }
 
-    /// True if the constraint in hand differs from case to case.
+    /// Returns true if the present constraint differs from case to case.
     pub(super) fn differs(&self) -> bool {
         self.own().is_some()
     }
@@ -156,7 +159,7 @@ impl Free {
         self.here.and_then(|here| self.differences.0.get(here))
     }
 
-    /// The input that stands for a parameter of the constraint in hand, if that is free.
+    /// Returns the input of a parameter of the present constraint, if the parameter is free.
     pub(super) fn parameter(&mut self, index: usize) -> Option<Input> {
         let block = self.own()?.block;
         let Some(Part { own: Own::Parameter(_, value), differs: true }) =
@@ -174,8 +177,8 @@ impl Free {
         })))
     }
 
-    /// The number of a law of the constraint in hand, if that is free; a new one where `laws` does
-    /// not have it.
+    /// Returns the index of a law of the present constraint, if the law is free. It appends the law
+    /// to `laws` if necessary.
     pub(super) fn law(&mut self, place: LawPlace, law: &Law, laws: &mut Vec<Law>) -> Option<usize> {
         let OfBlock { block, parts } = self.own()?;
         let is_own = |part: &&Part| matches!(part.own, Own::Law(k, _) if LawPlace::Law(k) == place);
@@ -195,8 +198,8 @@ impl Free {
         }))
     }
 
-    /// The numbers and laws of a case, `laws` being those of the program; `None` where something is
-    /// another that was folded.
+    /// Returns the numbers and laws of a case, where `laws` are those of the program. Returns
+    /// `None` if a folded value differs.
     pub(crate) fn case(&self, system: &System, laws: &[Law]) -> Option<Case> {
         let mut case = Case { parameters: vec![f64::NAN; self.slots.len()], laws: laws.to_vec() };
         for own in &self.differences.0 {

@@ -1,5 +1,5 @@
-//! Values of time alone that only the user's program can compute, as laws of time: a program asks
-//! them lane by lane, with their derivatives by dual numbers.
+//! Values of time alone that only the user's program can compute, as laws of time. A program
+//! evaluates them lane by lane, with derivatives by dual numbers.
 
 use kin_graph::Node;
 
@@ -7,7 +7,7 @@ use crate::model::constraint::Constraint;
 use crate::model::formula::jerk::Along;
 use crate::model::law::{Law, LawFunction};
 
-/// A node of a constraint's formula that hangs on time alone.
+/// A node of a constraint's formula that depends on time alone.
 struct Timed {
     constraint: Box<dyn Constraint>,
     node: Node,
@@ -26,8 +26,7 @@ impl LawFunction for Timed {
     }
 }
 
-/// These nodes of a constraint's formula with the laws that they are, its parameters being as they
-/// are now.
+/// Returns these nodes of a constraint's formula as laws, with the present parameters.
 pub(super) fn timed(constraint: &dyn Constraint, nodes: &[Node]) -> Vec<(Node, Law)> {
     let law = |node: &Node| {
         (*node, Law::new(Timed { constraint: constraint.clone_boxed(), node: *node }))

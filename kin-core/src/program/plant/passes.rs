@@ -1,4 +1,4 @@
-//! Faults within the passes that make a program: a node or a number of what one of them hands on is
+//! Faults within the passes that make a program: a node or a number in the result of a pass is
 //! wrong.
 
 use kin_graph::{Graph, Node};
@@ -18,11 +18,11 @@ pub(crate) enum Pass {
     Gather,
     Substitute,
     Eliminate,
-    /// The elimination, for q̇ alone.
+    /// The elimination, for q̇ only.
     Rates,
-    /// The elimination, for q̈ alone.
+    /// The elimination, for q̈ only.
     SecondRates,
-    /// The elimination, for q⃛ alone.
+    /// The elimination, for q⃛ only.
     ThirdRates,
 }
 
@@ -39,17 +39,17 @@ pub(crate) const PASSES: [Pass; 6] = [
 /// The change of a node, or of a number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Wrong {
-    /// It has lost its sign.
+    /// It has the wrong sign.
     Sign,
-    /// It is off by a thousandth.
+    /// It is wrong by a thousandth.
     Slight,
     /// It is zero.
     Lost,
-    /// It stands in the place of its neighbour, and that in its own: another column, row, or order.
+    /// It has the place of its neighbour and vice versa: another column, row or order.
     Place,
-    /// A pivot, or a row that gives a coordinate, is recorded with the row of the next one.
+    /// A pivot, or a row that determines a coordinate, is recorded with the row of the next one.
     Row,
-    /// The same with the column.
+    /// It is recorded with the column of the next one.
     Column,
 }
 
@@ -57,8 +57,8 @@ pub(crate) enum Wrong {
 pub(crate) const WRONGS: [Wrong; 6] =
     [Wrong::Sign, Wrong::Slight, Wrong::Lost, Wrong::Place, Wrong::Row, Wrong::Column];
 
-/// The program of a system with q⃛, with place number k of what a pass hands on made wrong; `None`
-/// where there is no such place.
+/// Returns the program of a system with q⃛, in which place k of the result of a pass is wrong.
+/// Returns `None` if there is no such place.
 pub(crate) fn with_fault(
     system: &System,
     pose: Pose<'_>,
@@ -95,8 +95,8 @@ pub(crate) fn with_fault(
     Some(Ok(finished(&whole, &order, (reduced, values), stages)))
 }
 
-/// The residuals of rows, their slopes and further derivatives; the rows and columns that are
-/// recorded.
+/// Changes the residuals of rows, their slopes and further derivatives, or the recorded rows and
+/// columns.
 fn miscopy(whole: &mut Whole, wrong: Wrong, k: usize) -> Option<()> {
     let Whole { graph, rows, .. } = whole;
     match wrong {
@@ -122,13 +122,13 @@ fn columns(cells: &mut [(usize, Node)]) -> Vec<&mut usize> {
     cells.iter_mut().map(|(column, _)| column).collect()
 }
 
-/// Number k and the next one.
+/// Returns element k and the next one.
 fn neighbours<T>(all: &mut [T], k: usize) -> Option<(&mut T, &mut T)> {
     let (first, rest) = all.split_at_mut_checked(k + 1)?;
     Some((first.last_mut()?, rest.first_mut()?))
 }
 
-/// Makes neighbours in one of these lists change places: number k of all such pairs.
+/// Exchanges pair k of all neighbours in these lists.
 fn exchange(lists: Vec<Vec<&mut usize>>, mut k: usize) -> Option<()> {
     for mut list in lists {
         let pairs = list.len().saturating_sub(1);
@@ -142,7 +142,7 @@ fn exchange(lists: Vec<Vec<&mut usize>>, mut k: usize) -> Option<()> {
     None
 }
 
-/// Makes number k of these nodes wrong.
+/// Makes node k wrong.
 fn change(graph: &mut Graph, mut nodes: Vec<&mut Node>, wrong: Wrong, k: usize) -> Option<()> {
     if wrong == Wrong::Place {
         let (node, next) = neighbours(&mut nodes, k)?;
@@ -161,8 +161,8 @@ fn change(graph: &mut Graph, mut nodes: Vec<&mut Node>, wrong: Wrong, k: usize) 
     Some(())
 }
 
-/// The rows that give coordinates: their factors, then their rests; their order, their rows and
-/// columns, and one that gives is left once more in place of another.
+/// Changes the rows that determine coordinates: their factors, then their rests, their order, their
+/// rows and columns; finally one of them stays in place of another.
 fn misgive(graph: &mut Graph, order: &mut Order, wrong: Wrong, k: usize) -> Option<()> {
     let given = order.explicit.len();
     if matches!(wrong, Wrong::Row | Wrong::Column) {
@@ -191,8 +191,8 @@ fn misgive(graph: &mut Graph, order: &mut Order, wrong: Wrong, k: usize) -> Opti
     Some(())
 }
 
-/// The cells, multipliers, cofactors and pivots of an elimination; then the order of its pivots;
-/// the rows and columns that are recorded for them and for the cofactors.
+/// Changes the entries, multipliers, cofactors and pivots of an elimination; then the order of its
+/// pivots; then the recorded rows and columns.
 fn spoil(graph: &mut Graph, all: &mut Elimination<'_>, wrong: Wrong, k: usize) -> Option<()> {
     if matches!(wrong, Wrong::Row | Wrong::Column) {
         let lists = all.blocks.iter_mut().map(|block| {

@@ -1,4 +1,4 @@
-//! One time alone, from torn coordinates that are given.
+//! Solves one time from given torn coordinates.
 
 use std::sync::Arc;
 
@@ -10,26 +10,25 @@ use super::times::Limits;
 use crate::numbers::lanes::Level;
 use crate::program::gather::Case;
 
-/// The second step is at most this share of the first one: the position is near then, and no other
-/// one is as near.   \[-\]
+/// The largest ratio of the second step to the first one. Then the position is near, and no other
+/// one is as near. \[-\]
 const SHRINKING: f64 = 0.125;
 
-/// A tape with its memory of single numbers.
+/// A tape with a memory of single numbers.
 pub(crate) struct Alone(Solver<f64>);
 
-/// The findings about one time.
+/// The result at one time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Found {
     pub steps: usize,
     pub residual: f64,
-    /// The row that has it.
+    /// The row with that residual.
     pub worst: usize,
-    /// The least of pivots and determinants, as a share of what it was at the mark, whatever their
-    /// signs.
+    /// The smallest ratio of a pivot or determinant to its value at the mark, without signs.
     pub pivot: f64,
 }
 
-/// A time on its way into the function that has the machine's instructions.
+/// A time, passed to the function that uses the machine's SIMD instructions.
 struct Solving<'x, S: Level> {
     solver: &'x mut Solver<f64>,
     simd: S,
@@ -50,8 +49,8 @@ impl Alone {
         Alone(Solver::new(simd, 0.0, tape, case))
     }
 
-    /// Solves at one time, torn coordinates from where they are in `q`; nothing where Newton's
-    /// steps do not shrink quickly, C = 0 does not hold as it is written, or a pivot is small.
+    /// Solves at one time, with torn coordinates from `q`. Returns `None` if Newton's steps do not
+    /// shrink quickly, if C = 0 as written does not hold, or if a pivot is small.
     pub(crate) fn solve<S: Level>(
         &mut self,
         simd: S,
@@ -69,7 +68,7 @@ impl Alone {
         let worst = solver.worst(0);
         let [first, second] = solver.corrections;
         let shrinks = steps < 2 || second <= SHRINKING * first;
-        // A side that rounding decides is not a number.
+        // A branch that rounding decides is NaN.
         let decided = solver.tape.sides.iter().all(|place| !solver.at(*place).is_nan());
         (met && decided && shrinks && pivot >= limits.pivot).then_some(Found {
             steps,
@@ -79,13 +78,13 @@ impl Alone {
         })
     }
 
-    /// Pivots and determinants of the last time become the marks.
+    /// Makes the pivots and determinants of the last time the marks.
     pub(crate) fn mark(&mut self) {
         let _ = self.0.mark();
     }
 
-    /// q with its last correction, q̇ and q̈ of the last time. An equation may jump with the last
-    /// correction, which is left out then.
+    /// Returns q with its last correction, and q̇ and q̈ of the last time. If an equation may jump
+    /// with the last correction, the correction is omitted.
     pub(crate) fn numbers(&self) -> [Vec<f64>; 3] {
         let Solver { tape, .. } = &self.0;
         let all =

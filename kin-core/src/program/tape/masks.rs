@@ -1,15 +1,15 @@
-//! Nodes without a history.
+//! Masks hide the structure of a node.
 //!
-//! A graph moves signs and powers of two to the outside of every product, so that equal expressions
-//! are found. The results of long expressions then carry factors into what is made of them, with
-//! which no sum can be fused. A mask is a number that stands for a node while others are made of
-//! it; at the end the node takes its place, and nothing else is simplified.
+//! A graph moves signs and powers of two to the outside of every product, so that it finds equal
+//! expressions. The results of long expressions then carry factors into later expressions, and no
+//! sum can be fused with them. A mask represents a node while later expressions are built. At the
+//! end the node replaces its mask, and nothing else is simplified.
 
 use std::collections::HashMap;
 
 use kin_graph::{Graph, Input, Node, Op};
 
-/// The nodes behind masks, which are [`Input::Timed`] by their numbers.
+/// The nodes behind masks. A mask is [`Input::Timed`] with the index of its node.
 #[derive(Default)]
 pub(crate) struct Masks {
     behind: Vec<Node>,
@@ -17,7 +17,7 @@ pub(crate) struct Masks {
 }
 
 impl Masks {
-    /// The mask of a node; constants and inputs need none.
+    /// Returns the mask of a node; constants and inputs need none.
     pub(crate) fn of(&mut self, graph: &mut Graph, node: Node) -> Node {
         if matches!(graph.op(node), Op::Constant(_) | Op::Input(_)) {
             return node;
@@ -29,22 +29,22 @@ impl Masks {
         graph.input(Input::Timed(number))
     }
 
-    /// Those of several.
+    /// Returns the masks of several nodes.
     pub(crate) fn all(&mut self, graph: &mut Graph, nodes: &[Node]) -> Vec<Node> {
         nodes.iter().map(|node| self.of(graph, *node)).collect()
     }
 
-    /// The nodes behind those that there are, in their order.
+    /// Returns the nodes behind all masks, in order.
     pub(in crate::program) fn behind(&self) -> &[Node] {
         &self.behind
     }
 
-    /// The outputs with nodes in place of their masks.
+    /// Returns the outputs with nodes in place of their masks.
     pub(in crate::program) fn removed(&self, graph: &mut Graph, outputs: &[Node]) -> Vec<Node> {
         let mut needed = vec![false; graph.len()];
         outputs.iter().for_each(|output| needed[output.index()] = true);
         let nodes: Vec<Node> = graph.nodes().collect();
-        // A node is older than its mask, and that is older than what is made of it.
+        // A node is older than its mask, and the mask is older than its results.
         for &node in nodes.iter().rev() {
             if needed[node.index()] {
                 self.each_operand(graph, node, |operand| needed[operand.index()] = true);

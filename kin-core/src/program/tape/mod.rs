@@ -1,5 +1,5 @@
-//! A program as a tape: steps in runs of one kind, on a memory of numbers, so that what is to be
-//! done is found out once a run.
+//! A program as a tape: steps in runs of one kind, on a memory of numbers. The interpreter decodes
+//! each run only once.
 
 pub(crate) mod alone;
 mod masks;
@@ -18,7 +18,7 @@ pub(crate) use straight::{IntoRows, OverTimes, Rows, Sink, Straight, Summed};
 
 use kin_graph::{Comparison, Function, Function2};
 
-/// Why no tape can be replayed here.
+/// The reason why no tape can run on this machine.
 pub(crate) const NO_LANES: &str =
     "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
 
@@ -34,20 +34,20 @@ pub(in crate::program) enum Kind {
     Mul,
     Div,
     Neg,
-    /// a b + c
+    /// Writes a b + c.
     Fma,
-    /// c − a b
+    /// Writes c − a b.
     NegatedProduct,
-    /// a b − c
+    /// Writes a b − c.
     ProductLess,
-    /// −a b − c
+    /// Writes −a b − c.
     NegatedSum,
-    /// max(c, |a b|)
+    /// Writes max(c, |a b|).
     LargerProduct,
-    /// Sine into `out`, cosine into `c`.
+    /// Writes the sine into `out` and the cosine into `c`.
     SinCos,
-    /// The derivative of that order of the law of that number, and the two that follow it, into
-    /// `out`, `b` and `c`.
+    /// Writes a derivative of a law (law, order) and the two that follow it into `out`, `b` and
+    /// `c`.
     Law(u32, u8),
     One(Function),
     Two(Function2),
@@ -56,21 +56,25 @@ pub(in crate::program) enum Kind {
     Both,
     Either,
     Not,
-    /// `a` holds: `b`, else `c`.
+    /// Writes `b` if `a` holds, otherwise `c`.
     Select,
 }
 
-/// Where a step writes, and its operands.
+/// The place of the result of a step, and the places of its operands `a`, `b` and `c`.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(in crate::program) struct Step<P = u32> {
+    /// The place of the result.
     pub out: P,
+    /// The place of the first operand.
     pub a: P,
+    /// The place of the second operand.
     pub b: P,
+    /// The place of the third operand.
     pub c: P,
 }
 
 impl Step {
-    /// The same with places of one byte, if they are that small.
+    /// Returns the step with places of one byte, if they are that small.
     fn short(self) -> Option<Step<u8>> {
         let [out, a, b, c] =
             [self.out, self.a, self.b, self.c].map(|place| u8::try_from(place).ok());
@@ -78,7 +82,7 @@ impl Step {
     }
 }
 
-/// Steps of one kind, by how many there are.
+/// Consecutive steps of one kind, with their number.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::program) struct Run {
     pub kind: Kind,
@@ -88,58 +92,76 @@ pub(in crate::program) struct Run {
 /// One stage.
 #[derive(Clone, Debug, Default)]
 pub(in crate::program) struct Stage {
+    /// The runs in order; together they cover `steps`.
     pub runs: Vec<Run>,
+    /// The steps in order.
     pub steps: Vec<Step>,
-    /// All steps with places of one byte; none where some place is larger. In a memory of [`SHORT`]
-    /// numbers no such place has to be looked at before it is read.
+    /// All steps with places of one byte; empty if a place is larger. In a memory of [`SHORT`]
+    /// numbers such a place needs no bounds check.
     pub short: Vec<Step<u8>>,
 }
 
-/// Numbers of a memory whose places are one byte.
+/// The number of places that one byte can address.
 pub(in crate::program) const SHORT: usize = 1 << u8::BITS;
 
-/// A program on a memory of `places` numbers.
+/// A program on a memory of `places` numbers. Places are indices into this memory.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tape {
-    /// The values of parameters alone, once a case; those of time alone; those that lead to the
-    /// correction; all others.
+    /// The values that depend on parameters alone; run once for each case.
     pub(in crate::program) setup: Stage,
+    /// The values that depend on time alone; run once for each time.
     pub(in crate::program) time: Stage,
+    /// The correction of the torn coordinates; run once for each Newton step.
     pub(in crate::program) correct: Stage,
+    /// All other values; run once after Newton's method.
     pub(in crate::program) rest: Stage,
+    /// The number of places of the memory.
     pub(in crate::program) places: usize,
+    /// The constants, as (place, value).
     pub(in crate::program) constants: Vec<(u32, f64)>,
+    /// The laws, by their indices in [`Kind::Law`].
     pub(in crate::program) laws: Vec<Law>,
-    /// The numbers and laws that differ from case to case, and where the numbers stand.
+    /// The numbers and laws that differ from case to case.
     pub(in crate::program) free: Free,
+    /// For each free parameter its place.
     pub(in crate::program) parameters: Vec<u32>,
-    /// Where the time stands, and the torn coordinates.
+    /// The place of the time.
     pub(in crate::program) t: u32,
+    /// For each torn coordinate its place.
     pub(in crate::program) torn: Vec<u32>,
-    /// Which coordinates are torn.
+    /// For each torn coordinate its index in the system.
     pub(in crate::program) columns: Vec<usize>,
+    /// For each torn coordinate the place of its correction.
     pub(in crate::program) correction: Vec<u32>,
-    /// The rows that are left, and where they stand.
+    /// The remaining rows, by their indices in the system.
     pub(in crate::program) rows: Vec<usize>,
+    /// For each remaining row the place of −C with all explicit coordinates substituted.
     pub(in crate::program) left: Vec<u32>,
+    /// For each block of the elimination the places of its pivots and determinants.
     pub(in crate::program) guards: Vec<Vec<u32>>,
-    /// Pivots and determinants where the elimination was chosen.
+    /// The values of the guards at the position at which the elimination was chosen.
     pub(in crate::program) chosen: Vec<Vec<f64>>,
-    /// How many unknowns are solved together, block by block.
+    /// For each block the number of unknowns that are solved together.
     pub(in crate::program) blocks: Vec<usize>,
+    /// For each coordinate of the system the place of its value.
     pub(in crate::program) values: Vec<u32>,
+    /// For each coordinate the place of its last correction.
     pub(in crate::program) corrections: Vec<u32>,
+    /// For each coordinate the place of q̇.
     pub(in crate::program) rates: Vec<u32>,
+    /// For each coordinate the place of q̈.
     pub(in crate::program) second_rates: Vec<u32>,
-    /// q⃛ where it is asked for, else none.
+    /// For each coordinate the place of q⃛; empty unless the jerk is computed.
     pub(in crate::program) third_rates: Vec<u32>,
-    /// The numbers that choose between sides where coordinates move.
+    /// The places of the numbers that select branches depending on coordinates; empty if nothing
+    /// can jump.
     pub(in crate::program) sides: Vec<u32>,
+    /// For each row of the system the place of C as written, at the coordinates `values`.
     pub(in crate::program) verify: Vec<u32>,
 }
 
 impl Stage {
-    /// Appends a step, in the run before it if that is of its kind.
+    /// Appends a step, to the last run if that has the same kind.
     pub(in crate::program) fn push(&mut self, kind: Kind, step: Step) {
         self.steps.push(step);
         match self.runs.last_mut() {
@@ -156,7 +178,7 @@ impl Stage {
         }
     }
 
-    /// Makes places one byte, if all are that small.
+    /// Converts the places to one byte, if all are that small.
     pub(in crate::program) fn shorten(&mut self) {
         self.short =
             self.steps.iter().map(|step| step.short()).collect::<Option<_>>().unwrap_or_default();
@@ -164,27 +186,27 @@ impl Stage {
 }
 
 impl Tape {
-    /// The coordinates that are left to Newton's method.
+    /// Returns the coordinates that Newton's method computes.
     pub(crate) fn torn(&self) -> &[usize] {
         &self.columns
     }
 
-    /// The numbers and laws of a case; `None` where something is another that was folded.
+    /// Returns the numbers and laws of a case, or `None` if a folded value differs.
     pub(crate) fn case(&self, system: &System) -> Option<Case> {
         self.free.case(system, &self.laws)
     }
 
-    /// True if anything may jump where coordinates move.
+    /// Returns true if anything may jump depending on coordinates.
     pub(crate) fn jumps(&self) -> bool {
         !self.sides.is_empty()
     }
 
-    /// How many of them are solved together, block by block.
+    /// Returns the number of unknowns of each block that is solved together.
     pub(crate) fn blocks(&self) -> &[usize] {
         &self.blocks
     }
 
-    /// How many steps and runs it has.
+    /// Returns the number of steps and of runs.
     pub(crate) fn size(&self) -> [usize; 2] {
         let stages = [&self.setup, &self.time, &self.correct, &self.rest];
         [

@@ -1,5 +1,5 @@
-//! Newton's method on what is torn, and what a position is judged by, over any number: that of one
-//! time, or of one in each lane.
+//! Newton's method on torn coordinates, and the checks of a position, over any number: one time, or
+//! one time in each lane.
 
 use std::sync::Arc;
 
@@ -12,36 +12,40 @@ use crate::numbers::lanes::lanewise::{Answer, Computed};
 use crate::program::gather::Case;
 use crate::system::stop;
 
-/// A pivot or determinant that is less than this share of what it was where the elimination was
-/// chosen loses digits: other ones would have been chosen.   \[-\]
+/// If a pivot or determinant is below this share of its value at the choice of the elimination, it
+/// loses digits: another pivot would have been chosen. \[-\]
 const FAINT: f64 = 1e-4;
 
 /// A tape with its memory.
 pub(super) struct Solver<N> {
     pub tape: Arc<Tape>,
+    /// The memory, by places.
     pub memory: Vec<N>,
+    /// The laws of the case, by their indices.
     laws: Vec<Law>,
-    /// Pivots and determinants where the signs and sizes were those of a position that is known.
+    /// For each block the pivots and determinants at a known position, whose signs and sizes are
+    /// the reference.
     marks: Vec<Vec<f64>>,
-    /// How many Newton steps were taken.
+    /// The number of Newton steps.
     pub steps: N,
-    /// The largest corrections of the first two steps, by sizes.
+    /// The largest corrections of the first two steps, in units of the sizes.
     pub corrections: [N; 2],
 }
 
-/// The findings about a position, in each lane.
+/// The checks of a position, in each lane.
 pub(super) struct Checked<N: Computed> {
-    /// True where Newton's method has converged, and C = 0 holds as it was written.
+    /// True if Newton's method has converged and C = 0 as written holds.
     pub met: N::Answer,
+    /// max |C_i|.
     pub residual: N,
-    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of
-    /// a block is another one.
+    /// The smallest ratio of a pivot or determinant to its value at the mark.
     pub pivot: N,
+    /// True if the sign of a block differs from that at the mark.
     pub turned: N::Answer,
 }
 
 impl<N: Computed> Solver<N> {
-    /// For a case; `zero` is any number.
+    /// Creates the solver for a case; `zero` is any number.
     pub(super) fn new<S: Level>(simd: S, zero: N, tape: Arc<Tape>, case: Case) -> Self {
         let mut memory = vec![zero.all(0.0); tape.places.max(SHORT)];
         let given = tape.parameters.iter().zip(&case.parameters);
@@ -56,14 +60,14 @@ impl<N: Computed> Solver<N> {
         solver
     }
 
-    /// The number in a place.
+    /// Returns the number at a place.
     #[inline(always)]
     pub(super) fn at(&self, place: u32) -> N {
         self.memory[place as usize]
     }
 
-    /// Pivots and determinants of the first lane become the marks; false where one is so small
-    /// beside what it was where the elimination was chosen that digits are lost by it.
+    /// Makes the pivots and determinants of the first lane the marks. Returns false if one is so
+    /// small, relative to its value at the choice of the elimination, that digits are lost.
     pub(super) fn mark(&mut self) -> bool {
         for (marks, guards) in self.marks.iter_mut().zip(&self.tape.guards) {
             let first = |guard: &u32| self.memory[*guard as usize].lane(0);
@@ -73,15 +77,15 @@ impl<N: Computed> Solver<N> {
         all.into_iter().all(|(mark, chosen)| mark.abs() >= FAINT * chosen.abs())
     }
 
-    /// The row with the largest |C_i| in a lane.
+    /// Returns the row with the largest |C_i| in a lane.
     pub(super) fn worst(&self, lane: usize) -> usize {
         let rows =
             self.tape.verify.iter().map(|place| self.at(*place).lane(lane).abs()).enumerate();
         rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst }).0
     }
 
-    /// All stages at the time that stands there, from the torn coordinates that stand there. Where
-    /// a block of times `begins`, pivots and determinants become the marks.
+    /// Runs all stages at the time and from the torn coordinates in the memory. If a block of times
+    /// `begins`, the pivots and determinants become the marks.
     #[inline(always)]
     pub(super) fn solve<S: Level>(&mut self, simd: S, limits: &Limits, begins: bool) -> Checked<N> {
         self.replay(simd, |tape| &tape.time);
@@ -96,12 +100,12 @@ impl<N: Computed> Solver<N> {
 
     #[inline(always)]
     fn replay<S: Level>(&mut self, simd: S, stage: impl Fn(&Tape) -> &Stage) {
-        // One function for all stages.
+        // One function serves all stages.
         let Solver { tape, memory, laws, .. } = self;
         simd.vectorize(Replay { stage: stage(tape), laws, memory });
     }
 
-    /// Newton's method; where it has converged.
+    /// Runs Newton's method and returns where it has converged.
     #[inline(always)]
     fn newton<S: Level>(&mut self, simd: S, limits: &Limits) -> N::Answer {
         let one = self.steps.all(1.0);
@@ -139,7 +143,8 @@ impl<N: Computed> Solver<N> {
         !open
     }
 
-    /// The last correction where an equation can jump with it: that is looked at then.
+    /// Applies the last correction if an equation can jump with it; the equation is checked
+    /// afterwards.
     #[cold]
     fn correct_last(&mut self, ends: N::Answer) {
         for (place, change) in self.tape.torn.iter().zip(&self.tape.correction) {
@@ -149,8 +154,8 @@ impl<N: Computed> Solver<N> {
         }
     }
 
-    /// Where the correction in hand and what made it are as small as they have to be, and the
-    /// largest of it by sizes.
+    /// Returns where the present correction and its cause are small enough, and the largest
+    /// correction in units of the sizes.
     #[inline(always)]
     fn within(&self, limits: &Limits) -> (N::Answer, N) {
         let tape = &*self.tape;
@@ -170,7 +175,7 @@ impl<N: Computed> Solver<N> {
         (within, largest)
     }
 
-    /// Where C = 0 holds as it was written, and max |C_i|.
+    /// Returns where C = 0 as written holds, and max |C_i|.
     #[inline(always)]
     fn verified(&self, limits: &Limits) -> (N::Answer, N) {
         let mut most = self.steps.all(0.0);
@@ -183,8 +188,8 @@ impl<N: Computed> Solver<N> {
         (met, most)
     }
 
-    /// The least share of a pivot or determinant of what it was at the mark, and where the sign of
-    /// a block is another one.
+    /// Returns the smallest ratio of a pivot or determinant to its value at the mark, and where the
+    /// sign of a block differs.
     #[inline(always)]
     fn guarded(&self) -> (N, N::Answer) {
         let one = self.steps.all(1.0);
@@ -195,7 +200,7 @@ impl<N: Computed> Solver<N> {
             for (guard, mark) in guards.iter().zip(marks) {
                 let share = self.at(*guard) * one.all(mark.recip());
                 let size = share.abs();
-                // A NaN is not among the sizes that are allowed.
+                // A NaN is not among the permitted sizes.
                 let other = least.where_or(size.above(least), one.all(0.0));
                 least = size.where_or(size.at_most(least), other);
                 product = product * share;

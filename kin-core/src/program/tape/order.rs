@@ -1,9 +1,9 @@
-//! The order of steps, and which of them go in one run.
+//! Chooses the order of steps and the runs.
 //!
-//! To begin a run takes as many instructions as two steps, and most sums and products of a
-//! mechanism come by twos and threes. So a product may be a fused step that adds −0, a sum one that
-//! multiplies by 1, and likewise for differences and changes of sign: numbers are the same to the
-//! last bit, and runs are longer.
+//! The start of a run costs as many instructions as two steps, and most sums and products of a
+//! mechanism come in twos and threes. So a product can become a fused step that adds −0, and a sum
+//! a fused step that multiplies by 1; the same holds for differences and changes of sign. Results
+//! are equal to the last bit, and runs are longer.
 
 use std::ops::Range;
 
@@ -12,15 +12,16 @@ use kin_graph::{Graph, Node};
 use super::Kind;
 use super::schedule::{Planner, REST, SETUP, Task};
 
-/// Instructions that beginning a run takes, and those by which a step of three operands exceeds one
-/// of fewer.
+/// The instructions that the start of a run costs, and the additional instructions of a step of
+/// three operands.
 const RUN: usize = 33;
 const MORE: usize = 4;
 
-/// So many runs become one at most, so that the search takes time linear in their number.
+/// The largest number of runs that become one, so that the time of the search is linear in their
+/// number.
 const MOST: usize = 64;
 
-/// The numbers with which fused steps change nothing.
+/// The constants with which fused steps change nothing.
 #[derive(Clone, Copy)]
 pub(super) struct Neutral {
     one: Node,
@@ -33,7 +34,7 @@ impl Neutral {
     }
 }
 
-/// The tasks stage by stage, each after those that it reads; runs of like ones are made one.
+/// Orders the tasks stage by stage, each after its operands, and merges similar runs.
 pub(super) fn ordered(planner: &mut Planner<'_>, neutral: Neutral) -> Vec<usize> {
     let (order, stretches) = order(planner);
     for stretch in stretches {
@@ -48,7 +49,7 @@ pub(super) fn ordered(planner: &mut Planner<'_>, neutral: Neutral) -> Vec<usize>
     order
 }
 
-/// The kind that can stand for a kind.
+/// Returns the kind that can replace a kind.
 fn family(kind: Kind) -> Kind {
     match kind {
         Kind::Add | Kind::Mul => Kind::Fma,
@@ -58,7 +59,7 @@ fn family(kind: Kind) -> Kind {
 }
 
 impl Task {
-    /// The same as a step of its family.
+    /// Converts the task to a step of its family.
     fn fuse(&mut self, Neutral { one, minus_zero }: Neutral) {
         let [a, b, _] = self.reads;
         self.reads = match self.kind {
@@ -72,7 +73,7 @@ impl Task {
     }
 }
 
-/// The tasks in their order, and the stretches of it that are of one family.
+/// Returns the tasks in order, and the stretches that belong to one family.
 fn order(planner: &Planner<'_>) -> (Vec<usize>, Vec<Range<usize>>) {
     let tasks = &planner.tasks;
     let mut users = vec![Vec::new(); tasks.len()];
@@ -94,7 +95,7 @@ fn order(planner: &Planner<'_>) -> (Vec<usize>, Vec<Range<usize>>) {
         while let Some(own) = ready.largest_family() {
             let first = order.len();
             while let Some(kind) = ready.largest_of(own) {
-                // A step of the same kind that becomes ready meanwhile belongs to the same run.
+                // A step of the same kind that has become ready belongs to the same run.
                 while let Some(k) = ready.take(kind) {
                     order.push(k);
                     for &user in &users[k] {
@@ -127,7 +128,7 @@ impl Ready {
         self.0.iter_mut().find(|(known, _)| *known == kind)?.1.pop_front()
     }
 
-    /// The family of which most are ready; of equal ones that which came first.
+    /// Returns the family with the most ready tasks; of equal ones the first.
     fn largest_family(&self) -> Option<Kind> {
         let count = |own: Kind| -> usize {
             self.0
@@ -141,7 +142,7 @@ impl Ready {
         families.rev().max_by_key(|own| count(*own))
     }
 
-    /// The kind of a family of which most are ready.
+    /// Returns the kind of a family with the most ready tasks.
     fn largest_of(&self, own: Kind) -> Option<Kind> {
         let all =
             self.0.iter().rev().filter(|(kind, ready)| family(*kind) == own && !ready.is_empty());
@@ -149,8 +150,8 @@ impl Ready {
     }
 }
 
-/// The runs of a stretch that take the fewest instructions: those of one kind as they are, or
-/// several as one.
+/// Returns the runs of a stretch with the fewest instructions: runs of one kind, or several kinds
+/// in one run.
 fn merged(stretch: &[usize], kind: impl Fn(usize) -> Kind) -> Vec<Range<usize>> {
     let mut pure: Vec<Range<usize>> = Vec::new();
     for (k, task) in stretch.iter().enumerate() {
@@ -163,7 +164,7 @@ fn merged(stretch: &[usize], kind: impl Fn(usize) -> Kind) -> Vec<Range<usize>> 
         let own = kind(stretch[run.start]);
         if family(own) == own { 0 } else { MORE * run.len() }
     };
-    // The least that the runs before each one take, and where the last of them begins.
+    // The smallest cost of the runs before each one, and the start of the last of them.
     let mut least: Vec<(usize, usize)> = vec![(0, 0)];
     for end in 1..=pure.len() {
         let mut best = (least[end - 1].0 + RUN, end - 1);

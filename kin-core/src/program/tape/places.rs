@@ -1,11 +1,12 @@
-//! Where the numbers of a tape stand: a place is used again when its number is not read any more.
+//! Assigns places to the numbers of a tape. A place is reused after its number has been read for
+//! the last time.
 
 use kin_graph::{Graph, Input, Node, Op};
 
 use super::schedule::{Planner, Task};
 use super::{Kind, Stage, Step};
 
-/// A number for some of the nodes.
+/// A number for some nodes; `NONE` for the others.
 pub(super) struct ByNode(Vec<u32>);
 
 impl ByNode {
@@ -24,7 +25,7 @@ impl ByNode {
     }
 }
 
-/// True if a node stands in the memory from the beginning.
+/// Returns true if a node is in the memory from the beginning.
 pub(super) fn is_given(graph: &Graph, node: Node) -> bool {
     matches!(
         graph.op(node),
@@ -37,23 +38,23 @@ pub(super) fn is_given(graph: &Graph, node: Node) -> bool {
     )
 }
 
-/// Where numbers stand.
+/// The assignment of places.
 pub(super) struct Places<'a> {
     planner: &'a Planner<'a>,
     place: ByNode,
     free: Vec<u32>,
     next: u32,
-    /// Of what has none.
+    /// The place of a node that has none.
     nothing: u32,
-    /// How often each number is still read before its place is free.
+    /// For each number how often it will still be read before its place is free.
     readers: ByNode,
-    /// The steps of each stage, and the numbers that stand in the memory from the beginning.
+    /// The steps of each stage, and the constants as (place, value).
     pub stages: [Stage; 4],
     pub constants: Vec<(u32, f64)>,
 }
 
 impl<'a> Places<'a> {
-    /// Of what is planned, with how often each number is read.
+    /// Creates the assignment of a plan; `readers` says how often each number is read.
     pub(super) fn new(planner: &'a Planner<'a>, readers: ByNode) -> Self {
         Places {
             planner,
@@ -74,18 +75,18 @@ impl<'a> Places<'a> {
         })
     }
 
-    /// How many there are.
+    /// Returns the number of places.
     pub(super) fn count(&self) -> usize {
         self.next as usize
     }
 
-    /// The places of nodes.
+    /// Returns the places of nodes.
     pub(super) fn of(&self, nodes: &[Node]) -> Vec<u32> {
         let of = |node: &Node| self.place.get(self.planner.behind(*node)).unwrap_or(self.nothing);
         nodes.iter().map(of).collect()
     }
 
-    /// Inputs and constants, which stand first; gives the places of the inputs.
+    /// Assigns the first places to inputs and constants, and returns the places of the inputs.
     pub(super) fn begin(&mut self, inputs: &[Input], outputs: &[Node]) -> Vec<u32> {
         let graph = self.planner.graph;
         let mut own = Vec::with_capacity(inputs.len());
@@ -110,10 +111,9 @@ impl<'a> Places<'a> {
         own
     }
 
-    /// The steps, with the places of their numbers.
+    /// Writes the steps with the places of their numbers.
     pub(super) fn write(&mut self, order: &[usize]) {
-        // A place that nothing writes holds no number, so that a fault of this pass cannot pass for
-        // one.
+        // A place that no step writes contains no number, so that a fault of this pass is detected.
         let idle = self.take();
         let nothing = self.take();
         self.constants.push((nothing, f64::NAN));

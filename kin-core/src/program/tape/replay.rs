@@ -1,4 +1,4 @@
-//! A tape replayed over any number: one a lane, or a single one.
+//! Replays a tape over any number: one for each lane, or a single one.
 
 use kin_graph::{Comparison, Function, Function2};
 use pulp::NullaryFnOnce;
@@ -7,7 +7,7 @@ use super::{Kind, Run, SHORT, Stage, Step};
 use crate::model::law::Law;
 use crate::numbers::lanes::lanewise::Computed;
 
-/// A stage on its way into the function that has the machine's instructions.
+/// A stage, passed to the function that uses the machine's SIMD instructions.
 pub(in crate::program) struct Replay<'a, N> {
     pub stage: &'a Stage,
     pub laws: &'a [Law],
@@ -27,7 +27,7 @@ impl<N: Computed> NullaryFnOnce for Replay<'_, N> {
     }
 }
 
-/// A memory, and how its places are told.
+/// A memory and its kind of places.
 trait Places<N> {
     type Place: Copy;
     fn get(&self, place: Self::Place) -> N;
@@ -55,7 +55,7 @@ macro_rules! places {
 places!([N], u32);
 places!([N; SHORT], u8);
 
-/// Run by run.
+/// Replays run by run.
 #[inline(always)]
 fn all<N: Computed, M: Places<N> + ?Sized>(
     runs: &[Run],
@@ -70,7 +70,7 @@ fn all<N: Computed, M: Places<N> + ?Sized>(
     }
 }
 
-/// The steps of one run.
+/// Replays the steps of one run.
 #[inline(always)]
 fn run<N: Computed, M: Places<N> + ?Sized>(
     kind: Kind,
@@ -159,7 +159,7 @@ fn compare<N: Computed>(comparison: Comparison, a: N, b: N) -> N::Answer {
     }
 }
 
-/// A function that goes lane by lane: a function of its own, for it calls others anyway.
+/// Evaluates a function lane by lane. It is a separate function, because it calls others anyway.
 #[inline(never)]
 fn one_by_one<N: Computed, M: Places<N> + ?Sized>(
     f: Function,
@@ -180,7 +180,7 @@ fn two_by_two<N: Computed, M: Places<N> + ?Sized>(
     two(steps, memory, |a, b| a.map2(b, value));
 }
 
-/// A derivative of a law and the two that follow it; not a number where that is not known.
+/// Evaluates a derivative of a law and the two that follow it; unknown ones are NaN.
 #[inline(never)]
 fn ask<N: Computed, M: Places<N> + ?Sized>(
     law: Option<&Law>,

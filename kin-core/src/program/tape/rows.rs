@@ -1,4 +1,5 @@
-//! From lanes to times: the lines of coordinates become rows of all coordinates, one a time.
+//! Converts lanes to times: the lines of coordinates become rows of all coordinates, one for each
+//! time.
 
 use std::ops::Range;
 
@@ -7,23 +8,24 @@ use pulp::NullaryFnOnce;
 use super::times::{ORDERS, Times};
 use crate::numbers::lanes::Level;
 
-/// The side of the squares that are turned in registers.
+/// The side of the squares that are transposed in registers.
 const SIDE: usize = 4;
 
 impl<S: Level> Times<S> {
-    /// Appends q, q̇, q̈ and, where it is asked for, q⃛ in some lanes to these lists, a row a lane.
+    /// Appends q, q̇, q̈, and q⃛ if it is computed, of some lanes to these lists, one row for each
+    /// lane.
     pub(crate) fn append(&self, lanes: Range<usize>, lists: [&mut Vec<f64>; ORDERS + 1]) {
         self.simd.vectorize(Turning { times: self, lanes, lists });
     }
 
-    /// q in a lane, into a list.
+    /// Writes q of a lane into a list.
     pub(crate) fn position(&self, lane: usize, list: &mut Vec<f64>) {
         list.clear();
         list.extend((0..self.tape().values.len()).map(|column| self.of(column, 0)[lane]));
     }
 }
 
-/// Lanes on their way into the function that has the machine's instructions.
+/// Lanes, passed to the function that uses the machine's SIMD instructions.
 struct Turning<'x, S: Level> {
     times: &'x Times<S>,
     lanes: Range<usize>,
@@ -51,11 +53,10 @@ impl<S: Level> NullaryFnOnce for Turning<'_, S> {
     }
 }
 
-/// Numbers that are none: copied in one piece, where a loop that writes them takes four
-/// instructions each.
+/// NaN to be copied in one piece; a loop that writes them takes four instructions each.
 const NONE: [f64; 256] = [f64::NAN; 256];
 
-/// Room for so many numbers more, none of them a number yet.
+/// Extends a list by this number of NaN.
 #[inline(never)]
 fn lengthen(list: &mut Vec<f64>, count: usize) {
     let mut left = count;
@@ -66,11 +67,11 @@ fn lengthen(list: &mut Vec<f64>, count: usize) {
     }
 }
 
-// Places are counted by hand here: chunks and zips divide for their lengths, which takes more than
-// what is copied.
+// Places are counted by hand here: chunks and zips divide for their lengths, which costs more than
+// the copy.
 impl<S: Level> Times<S> {
-    /// The lines of all coordinates, so many places apart, appended to a list as rows of these
-    /// lanes.
+    /// Appends the lines of all coordinates, `apart` places from each other, to a list as rows of
+    /// these lanes.
     #[inline(always)]
     fn turn_all(&self, lines: &[f64], apart: usize, lanes: &Range<usize>, list: &mut Vec<f64>) {
         let n = self.tape().values.len();
@@ -94,7 +95,7 @@ impl<S: Level> Times<S> {
         }
     }
 
-    /// Four rows, by squares that are turned in registers.
+    /// Transposes four rows, by squares in registers.
     #[inline(always)]
     fn turn(&self, lines: &[f64], apart: usize, mut place: usize, rows: &mut [f64]) {
         let n = rows.len() / SIDE;
@@ -115,7 +116,7 @@ impl<S: Level> Times<S> {
         }
     }
 
-    /// So many numbers of each of four rows.
+    /// Transposes a number of columns of each of four rows.
     #[inline(always)]
     fn square<const WIDTH: usize>(
         &self,

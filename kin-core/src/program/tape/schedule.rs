@@ -1,5 +1,5 @@
-//! From a program to its tape: sums are fused, steps of one kind are put side by side, and places
-//! are used again when their number is not read any more.
+//! Converts a program to its tape: fuses sums, places steps of one kind side by side, and reuses
+//! places of numbers that are no longer read.
 
 use std::collections::HashMap;
 
@@ -12,21 +12,25 @@ use crate::model::law::Law;
 use crate::program::kind::SELF;
 use crate::program::stages::Program;
 
-/// The stages, by their numbers.
+/// The stages, by their indices.
 pub(super) const SETUP: usize = 0;
 const TIME: usize = 1;
 const CORRECT: usize = 2;
 pub(super) const REST: usize = 3;
 
-/// A step with nodes instead of places: what it reads, and what it makes.
+/// A step with nodes instead of places: the nodes that it reads, and those that it makes.
 pub(super) struct Task {
     pub kind: Kind,
+    /// The nodes of the operands; `None` for operands that the kind does not have.
     pub reads: [Option<Node>; 3],
+    /// The nodes of the results; `None` for results that the kind does not have.
     pub makes: [Option<Node>; 3],
+    /// The stage that contains the step: `SETUP`, `TIME`, `CORRECT` or `REST`.
     pub stage: usize,
 }
 
-/// The tape of a program.
+/// Makes the tape of a program. The phases are: the outputs, the plan of each stage, the order of
+/// steps, the places.
 pub(crate) fn schedule(program: Program) -> Tape {
     let outputs = Outputs::new(&program);
     let mut graph = program.graph;
@@ -72,7 +76,7 @@ pub(crate) fn schedule(program: Program) -> Tape {
     tape
 }
 
-/// The tape of nodes of a graph, without stages: from its inputs to these outputs.
+/// Makes the tape of nodes of a graph without stages, from its inputs to these outputs.
 pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> Straight {
     let outputs = fused(&mut graph, outputs);
     let neutral = Neutral::new(&mut graph);
@@ -100,7 +104,7 @@ pub(crate) fn straight(mut graph: Graph, laws: Vec<Law>, outputs: &[Node]) -> St
     Straight { stage, laws, places: places_count, constants: places.constants, inputs, outputs }
 }
 
-/// All nodes that are asked for, part by part: the correction and the rows that are left first.
+/// All requested nodes, part by part: first the correction and the remaining rows.
 struct Outputs {
     all: Vec<Node>,
     parts: Vec<std::ops::Range<usize>>,
@@ -133,18 +137,20 @@ impl Outputs {
     }
 }
 
-/// Which steps there are, and in which order.
+/// Plans the steps and their stages.
 pub(super) struct Planner<'a> {
     pub graph: &'a Graph,
-    /// The nodes of all coordinates: what `verify` reads as inputs.
+    /// The nodes of all coordinates, which `verify` reads as inputs.
     values: &'a [Node],
+    /// The planned steps.
     pub tasks: Vec<Task>,
-    /// The task that makes a node.
+    /// For each node the task that makes it.
     pub maker: ByNode,
+    /// The task that makes the sine and the cosine of each node.
     sines: HashMap<Node, usize>,
+    /// The task of each law, by its number, the group of three orders, and its argument.
     laws: HashMap<(usize, u8, Node), usize>,
-    /// Nodes that are the same number as another one: a law of a coordinate and of what stands for
-    /// it in `verify`.
+    /// Nodes that equal another node: a law of a coordinate and of its substitute in `verify`.
     same: HashMap<Node, Node>,
 }
 
@@ -161,7 +167,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// The node whose number is that of a node.
+    /// Returns the node that has the number of a node.
     pub(super) fn behind(&self, node: Node) -> Node {
         match self.graph.op(node) {
             Op::Input(Input::Column(column)) => self.values[column],
@@ -169,8 +175,8 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// Plans what nodes need, as far as it is not planned; what no coordinate is in goes to earlier
-    /// stages.
+    /// Plans everything that nodes need and that is not planned yet. Steps without coordinates go
+    /// to earlier stages.
     fn require(&mut self, nodes: &[Node], stage: usize) {
         let mut open: Vec<Node> = nodes.iter().rev().map(|node| self.behind(*node)).collect();
         while let Some(&node) = open.last() {
@@ -196,7 +202,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// One more task, or one more number that a task makes.
+    /// Adds a task, or one more result of an existing task.
     fn plan(&mut self, node: Node, mut task: Task) {
         let next = self.tasks.len();
         let (task_number, place) = match self.graph.op(node) {
@@ -223,7 +229,8 @@ impl<'a> Planner<'a> {
         self.maker.insert(node, task_number as u32);
     }
 
-    /// The operation of a node, on nodes that have numbers of their own: signs go into fused steps.
+    /// Returns the operation of a node on nodes that have numbers; signs become part of fused
+    /// steps.
     fn step(&self, node: Node) -> (Kind, [Option<Node>; 3]) {
         let own = |node: Node| Some(self.behind(node));
         let signed = |node: Node| match self.graph.op(node) {
@@ -263,7 +270,7 @@ impl<'a> Planner<'a> {
             Op::Or(a, b) => (Kind::Either, [own(a), own(b), None]),
             Op::Not(a) => (Kind::Not, [own(a), None, None]),
             Op::Select(c, a, b) => (Kind::Select, [own(c), own(a), own(b)]),
-            // Programs have no foreign values, and no calls.
+            // Programs contain no foreign values and no calls.
             Op::Input(_)
             | Op::Constant(_)
             | Op::Decimal(_)
@@ -273,7 +280,7 @@ impl<'a> Planner<'a> {
         }
     }
 
-    /// a, b and c of max(c, |a b|).
+    /// Returns a, b and c of max(c, |a b|).
     fn larger_product(&self, f: Function2, x: Node, y: Node) -> Option<[Node; 3]> {
         let product = |node: Node| match self.graph.op(node) {
             Op::Call(Function::Abs, product) => match self.graph.op(product) {
@@ -286,8 +293,8 @@ impl<'a> Planner<'a> {
         if f == Function2::Max { of(y, x).or_else(|| of(x, y)) } else { None }
     }
 
-    /// How often each number is read in its own stage; 0 of those that are kept: outputs, and what
-    /// later stages read.
+    /// Returns how often each number is read in its stage, or 0 for numbers that are kept: outputs,
+    /// and operands of later stages.
     fn readers(&self, order: &[usize], outputs: &[Node]) -> ByNode {
         let mut reads = ByNode::new(self.graph);
         let mut keep = Vec::new();

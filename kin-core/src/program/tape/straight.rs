@@ -1,5 +1,5 @@
-//! A tape without stages, over all times of a motion: what it reads and gives are rows of lists,
-//! one a time.
+//! A tape without stages, over all times of a motion. Its inputs and outputs are rows of lists, one
+//! for each time.
 
 use kin_graph::Input;
 use pulp::NullaryFnOnce;
@@ -9,11 +9,11 @@ use super::{SHORT, Stage};
 use crate::model::law::Law;
 use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 
-/// A guard that is less than this share of its mark leaves a time to other ways.   \[-\]
+/// A time is returned to the caller if a guard falls below this share of its mark. \[-\]
 const LEAST: f64 = 0.02;
 
-/// The side of the tiles that are turned in registers, and how many of them are as long as any
-/// number of lanes.
+/// The side of the tiles that are transposed in registers, and the number of tiles that equals the
+/// largest number of lanes.
 const SIDE: usize = 4;
 const MOST: usize = 4;
 
@@ -28,15 +28,15 @@ pub(crate) struct Straight {
     pub(in crate::program) outputs: Vec<u32>,
 }
 
-/// A list with a row of so many numbers for each time.
+/// A list with a row of this many numbers for each time.
 pub(crate) type Rows<'a> = (&'a [f64], usize);
 
-/// A tape on its way over the times of a motion. Its first outputs are guards, one for each mark,
+/// A tape to be run over the times of a motion. Its first outputs are guards, one for each mark,
 /// then pairs of a number and its limit.
 pub(crate) struct OverTimes<'a, K> {
     pub tape: &'a Straight,
     pub times: usize,
-    /// The list and the column of each input; an input that has none is not a number.
+    /// Returns the list and the column of each input; an input without a list is NaN.
     pub port: &'a dyn Fn(Input) -> Option<(Rows<'a>, usize)>,
     pub marks: &'a [f64],
     /// The number of pairs.
@@ -44,9 +44,10 @@ pub(crate) struct OverTimes<'a, K> {
     pub sink: K,
 }
 
-/// Where the outputs behind the guards go.
+/// The receiver of the outputs after the guards.
 pub(crate) trait Sink {
-    /// Takes some lanes, the first of them of time `first`. Lanes that are not good are of no use.
+    /// Receives some lanes; the first one belongs to time `first`. Lanes that are not good must be
+    /// ignored.
     fn take<S: Level>(
         &mut self,
         simd: S,
@@ -56,7 +57,7 @@ pub(crate) trait Sink {
     );
 }
 
-/// The outputs behind the guards, in all lanes.
+/// The outputs after the guards, in all lanes.
 #[derive(Clone, Copy)]
 pub(crate) struct Outputs<'a, S: Level> {
     memory: &'a [Wide<S>],
@@ -72,16 +73,15 @@ impl<S: Level> Outputs<'_, S> {
 
 #[cfg(test)]
 impl Straight {
-    /// How many steps it has.
+    /// Returns the number of steps.
     pub(crate) fn size(&self) -> usize {
         self.stage.steps.len()
     }
 }
 
 impl<K: Sink> OverTimes<'_, K> {
-    /// Hands over all times; gives those that are not good, in their order: where a guard is small,
-    /// a number is beyond its limit, or an output is not finite. `None` where the machine has no
-    /// lanes.
+    /// Runs all times and returns those that are not good, in order: a guard is small, a number
+    /// exceeds its limit, or an output is not finite. Returns `None` if the machine has no SIMD.
     pub(crate) fn run(self) -> Option<Vec<usize>> {
         Lanes::Best.dispatch(self).ok()
     }
@@ -92,7 +92,7 @@ impl<K: Sink> WithLevel for OverTimes<'_, K> {
 
     fn run<S: Level>(self, simd: S) -> Vec<usize> {
         let tape = self.tape;
-        // One more than there are places: what is not read goes there.
+        // One place more than the tape has: unread inputs are written there.
         let unread = tape.places.max(SHORT);
         let mut memory = vec![Wide::splat(simd, f64::NAN); unread + 1];
         tape.constants
@@ -111,26 +111,29 @@ impl<K: Sink> WithLevel for OverTimes<'_, K> {
     }
 }
 
-/// The lists and columns that the inputs of a tape come from.
+/// The lists and columns of the inputs of a tape.
 struct Ports<'a> {
-    /// All of them: list, column and place.
+    /// All inputs, as (list, column, place).
     all: Vec<(Rows<'a>, usize, u32)>,
-    /// Those of lists whose rows are long enough, by neighbouring columns.
+    /// The inputs in lists with long enough rows, grouped by neighbouring columns.
     tiles: Vec<Tile<'a>>,
-    /// The others.
+    /// The other inputs.
     single: Vec<(Rows<'a>, usize, u32)>,
 }
 
-/// Neighbouring columns of a list from number `first` on, and where they go: all but the inputs
-/// among them to a place that nothing reads.
+/// Neighbouring columns of a list from index `first` on, with their places. Columns that are no
+/// inputs have a place that nothing reads.
 struct Tile<'a> {
+    /// The list that contains the columns.
     rows: Rows<'a>,
+    /// The index of the first column in a row of the list.
     first: usize,
+    /// The place of each column on the tape.
     places: [u32; SIDE],
 }
 
 impl<'a> Ports<'a> {
-    /// `unread` is a place that nothing reads.
+    /// Sorts the inputs. `unread` is a place that nothing reads.
     fn new(
         tape: &Straight,
         port: &'a dyn Fn(Input) -> Option<(Rows<'a>, usize)>,
@@ -161,7 +164,7 @@ impl<'a> Ports<'a> {
         Ports { all, tiles, single }
     }
 
-    /// Reads some lanes, the first of them of time `first`.
+    /// Reads some lanes; the first one belongs to time `first`.
     #[inline(always)]
     fn read<S: Level>(&self, simd: S, memory: &mut [Wide<S>], first: usize, lanes: usize) {
         let whole = lanes == Wide::<S>::LANES;
@@ -180,7 +183,7 @@ impl<'a> Ports<'a> {
 }
 
 impl Tile<'_> {
-    /// Reads all lanes, by tiles that are turned in registers.
+    /// Reads all lanes, by tiles that are transposed in registers.
     #[inline(always)]
     fn read<S: Level>(&self, simd: S, memory: &mut [Wide<S>], first: usize) {
         let (list, width) = self.rows;
@@ -202,7 +205,7 @@ impl Tile<'_> {
     }
 }
 
-/// All times, on their way into the function that has the machine's instructions.
+/// All times, passed to the function that uses the machine's SIMD instructions.
 struct Passing<'x, 'a, S: Level, K> {
     all: OverTimes<'a, K>,
     simd: S,
@@ -233,8 +236,8 @@ impl<S: Level, K: Sink> NullaryFnOnce for Passing<'_, '_, S, K> {
     }
 }
 
-/// Where no guard is small beside its mark, no number is beyond its limit, and all outputs are
-/// finite.
+/// Returns the lanes in which no guard is small relative to its mark, no number exceeds its limit,
+/// and all outputs are finite.
 #[inline(always)]
 fn judged<S: Level>(
     simd: S,
@@ -253,13 +256,13 @@ fn judged<S: Level>(
     }
     for place in &outputs[marks.len()..] {
         let x = memory[*place as usize];
-        // 0 · x is 0 of a number, and not a number of anything else.
+        // 0 · x is 0 for a finite x, otherwise NaN.
         none = none + x * zero;
     }
     good & none.equal(zero)
 }
 
-/// Lists of rows with the number of columns of each, which the outputs fill list by list.
+/// Lists of rows with their numbers of columns. The outputs fill list after list.
 pub(crate) struct IntoRows<'a>(pub Vec<(&'a mut [f64], usize)>);
 
 impl Sink for IntoRows<'_> {
@@ -279,7 +282,7 @@ impl Sink for IntoRows<'_> {
             let to = &mut list[first * width..][..lanes * width];
             if width == 1 {
                 let own = outputs.of(rows.first);
-                // Of a length that is known it is no call.
+                // A copy of known length needs no call.
                 match to.len() == Wide::<S>::LANES {
                     true => to[..Wide::<S>::LANES].copy_from_slice(&own[..Wide::<S>::LANES]),
                     false => to.copy_from_slice(&own[..lanes]),
@@ -295,21 +298,24 @@ impl Sink for IntoRows<'_> {
     }
 }
 
-/// Outputs from number `first` on, on their way into rows of `width`.
+/// The outputs from index `first` on, to be written into rows of `width`.
 #[derive(Clone, Copy)]
 struct Turning<'a, S: Level> {
     simd: S,
     outputs: Outputs<'a, S>,
+    /// The number of values in one row.
     width: usize,
+    /// The number of lanes, each of which is one row.
     lanes: usize,
+    /// The index of the first output.
     first: usize,
 }
 
 impl<S: Level> Turning<'_, S> {
-    /// All columns; the last ones may be written twice.
+    /// Transposes all columns; the last ones may be written twice.
     #[inline(always)]
     fn turn_all(&self, rows: &mut [f64]) {
-        // Iterators by steps divide beforehand, which takes longer than the turning.
+        // Stepped iterators divide first, which costs more than the transposition.
         let mut column = 0;
         while column < self.width {
             self.turn::<SIDE>(column.min(self.width - SIDE), rows);
@@ -317,11 +323,11 @@ impl<S: Level> Turning<'_, S> {
         }
     }
 
-    /// Some columns from `column` on, by tiles that are turned in registers.
+    /// Transposes some columns from `column` on, by tiles in registers.
     #[inline(always)]
     fn turn<const WIDTH: usize>(&self, column: usize, rows: &mut [f64]) {
         let Turning { simd, outputs, width, lanes, first } = *self;
-        // Lines beyond the last column are turned for nothing.
+        // Lines beyond the last column are transposed without effect.
         let mut lines = [outputs.of(first + column); SIDE];
         for (k, line) in lines.iter_mut().enumerate().take(WIDTH) {
             *line = outputs.of(first + column + k);
@@ -340,7 +346,7 @@ impl<S: Level> Turning<'_, S> {
     }
 }
 
-/// The sum of each output over all good times, in their order.
+/// The sum of each output over all good times, in order.
 pub(crate) struct Summed<'a>(pub &'a mut [f64]);
 
 impl Sink for Summed<'_> {

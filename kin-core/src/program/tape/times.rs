@@ -1,8 +1,8 @@
-//! Many times of one run at once, one a lane: Newton's method on what is torn, rates, C as it was
-//! written, and what each time is judged by.
+//! Many times of one run at once, one in each lane: Newton's method on torn coordinates, velocities
+//! and accelerations, C as written, and the checks of each time.
 //!
-//! A lane's digits never depend on its neighbours: one that has converged is not changed any more
-//! while others go on.
+//! The digits of a lane never depend on its neighbours: a converged lane does not change while
+//! others continue.
 
 use std::sync::Arc;
 
@@ -14,44 +14,46 @@ use crate::numbers::lanes::lanewise::misses;
 use crate::numbers::lanes::{Level, Mask, Wide};
 use crate::program::gather::Case;
 
-/// A coordinate as a polynomial of time.
+/// The coefficients of a coordinate as a polynomial of time.
 pub(crate) type Curve = [f64; 9];
 
-/// Orders of what a time is judged by: q, q̇ and q̈.
+/// The number of orders in the check of a time: q, q̇ and q̈.
 pub(crate) const ORDERS: usize = 3;
 
-/// When lanes have converged, and what they are judged by.
+/// The limits for convergence and for the checks of lanes.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Limits {
-    /// The largest correction of each torn coordinate that is allowed.
+    /// The largest permitted correction of each torn coordinate.
     pub correction: Vec<f64>,
-    /// Beside this share of the coordinate itself.
+    /// The permitted correction in addition, as a share of the coordinate itself.
     pub rounding: f64,
-    /// Sizes of torn coordinates.
+    /// The sizes of the torn coordinates.
     pub sizes: Vec<f64>,
-    /// How far each row may be off.
+    /// The allowance of each row.
     pub rows: Vec<f64>,
-    /// Newton steps at most.
+    /// The largest number of Newton steps.
     pub steps: usize,
-    /// A pivot or determinant is at least this share of what it was at the mark.
+    /// The smallest permitted ratio of a pivot or determinant to its value at the mark.
     pub pivot: f64,
-    /// The most by which anything may turn between two times.
+    /// The largest permitted rotation between two times.
     pub reach: f64,
-    /// One over the size of each coordinate, and 1 for those that turn, else 0.
+    /// For each coordinate one divided by its size.
     pub shares: Vec<f64>,
+    /// For each coordinate 1 if it rotates, otherwise 0.
     pub turns: Vec<f64>,
 }
 
-/// The findings about each lane.
+/// The checks of each lane.
 #[derive(Clone, Copy)]
 pub(crate) struct Judged<S: Level> {
-    /// How far the prediction from either end of a step misses the other; not a number where that
-    /// cannot be said, or anything else is objected to: Newton's method has not converged, C = 0
-    /// does not hold as it is written, a block has turned over, a pivot is small, something has
-    /// turned too far.
+    /// The error of the prediction from either end of a step at the other end. It is NaN if it is
+    /// unknown, or if there is another objection: Newton's method has not converged, C = 0 as
+    /// written does not hold, a block has changed its sign, a pivot is small, something has rotated
+    /// too far.
     pub miss: Wide<S>,
-    /// The least of pivots and determinants, as a share of what it was at the mark.
+    /// The smallest ratio of a pivot or determinant to its value at the mark.
     pub pivot: Wide<S>,
+    /// max |C_i|.
     pub residual: Wide<S>,
 }
 
@@ -59,10 +61,10 @@ pub(crate) struct Judged<S: Level> {
 pub(crate) struct Times<S: Level> {
     pub(super) simd: S,
     pub(super) solver: Solver<Wide<S>>,
-    /// q, q̇ and q̈ of each coordinate: the last time before, then those of the lanes; behind all
-    /// of them q⃛ of each coordinate, where it is asked for.
+    /// q, q̇ and q̈ of each coordinate: first the preceding time, then those of the lanes. After
+    /// all of them follows q⃛ of each coordinate, if it is computed.
     pub(super) lines: Vec<f64>,
-    /// The numbers that choose between sides, in the last lane before.
+    /// The numbers that select branches, in the preceding lane.
     sides: Vec<f64>,
     pub judged: Judged<S>,
 }
@@ -71,7 +73,7 @@ impl<S: Level> Times<S> {
     pub(crate) const LANES: usize = Wide::<S>::LANES;
     pub(super) const STRIDE: usize = Self::LANES + 1;
 
-    /// For a case.
+    /// Creates the solver for a case.
     pub(crate) fn new(simd: S, tape: Arc<Tape>, case: Case) -> Self {
         let numbers = ORDERS * tape.values.len() + tape.third_rates.len();
         let lines = vec![0.0; Self::STRIDE * numbers];
@@ -81,17 +83,18 @@ impl<S: Level> Times<S> {
         Times { simd, solver: Solver::new(simd, none, tape, case), lines, sides, judged }
     }
 
-    /// True if anything may jump where coordinates move.
+    /// Returns true if anything may jump depending on coordinates.
     pub(crate) fn jumps(&self) -> bool {
         self.tape().jumps()
     }
 
-    /// Which coordinates are torn.
+    /// Returns the torn coordinates.
     pub(crate) fn torn(&self) -> &[usize] {
         &self.tape().columns
     }
 
-    /// The position before the first lane of the first group; of a later one it is the last lane's.
+    /// Sets the position before the first lane of the first group. Before a later group it is that
+    /// of the last lane.
     pub(crate) fn begin(&mut self, before: [&[f64]; ORDERS]) {
         for (order, all) in before.into_iter().enumerate() {
             all.iter()
@@ -100,12 +103,12 @@ impl<S: Level> Times<S> {
         }
     }
 
-    /// The tape that is replayed.
+    /// Returns the tape.
     pub(super) fn tape(&self) -> &Tape {
         &self.solver.tape
     }
 
-    /// How many Newton steps each lane took.
+    /// Returns the number of Newton steps of each lane.
     pub(crate) fn steps(&self) -> &[f64] {
         self.solver.steps.as_slice()
     }
@@ -114,7 +117,7 @@ impl<S: Level> Times<S> {
         (column * ORDERS + order) * Self::STRIDE
     }
 
-    /// The place of q, q̇, q̈ or q⃛ of a coordinate in the lane before.
+    /// Returns the place of q, q̇, q̈ or q⃛ of a coordinate in the preceding lane.
     pub(super) fn line_of(&self, column: usize, order: usize) -> usize {
         if order < ORDERS {
             Self::line(column, order)
@@ -123,20 +126,20 @@ impl<S: Level> Times<S> {
         }
     }
 
-    /// q, q̇, q̈ or q⃛ of a coordinate in all lanes.
+    /// Returns q, q̇, q̈ or q⃛ of a coordinate in all lanes.
     pub(crate) fn of(&self, column: usize, order: usize) -> &[f64] {
         let first = self.line_of(column, order) + 1;
         &self.lines[first..first + Self::LANES]
     }
 
-    /// The row with the largest |C_i| in a lane.
+    /// Returns the row with the largest |C_i| in a lane.
     pub(crate) fn worst(&self, lane: usize) -> usize {
         self.solver.worst(lane)
     }
 
-    /// Solves at all these times, one a lane; `before` is the time before the first lane. Torn
-    /// coordinates begin on their curves, powers of the time since `origin`. Where `begins` is
-    /// true, pivots and determinants of the first lane become the marks.
+    /// Solves at all these times, one in each lane; `before` is the time before the first lane.
+    /// Torn coordinates begin on their curves, which are powers of the time since `origin`. If
+    /// `begins` is true, the pivots and determinants of the first lane become the marks.
     pub(crate) fn solve(
         &mut self,
         before: f64,
@@ -150,10 +153,12 @@ impl<S: Level> Times<S> {
     }
 }
 
-/// All of a group, on its way into the function that has the machine's instructions.
+/// A group of times, passed to the function that uses the machine's SIMD instructions.
 struct Solving<'x, S: Level> {
     times: &'x mut Times<S>,
+    /// The time before the first one of the group.
     before: f64,
+    /// The times of the group; there may be fewer than lanes.
     all: &'x [f64],
     origin: f64,
     curves: &'x [Curve],
@@ -199,8 +204,8 @@ impl<S: Level> NullaryFnOnce for Solving<'_, S> {
 }
 
 impl<S: Level> Times<S> {
-    /// True where everything that chooses between sides is what it was a lane before; of the first
-    /// lane that is not asked where a block begins.
+    /// Returns the lanes in which all branch selections equal those of the preceding lane. At the
+    /// beginning of a block the first lane is not compared.
     #[inline(always)]
     fn same_sides(&mut self, begins: bool) -> Mask<S> {
         let mut same = Mask::splat(self.simd, true);
@@ -217,9 +222,9 @@ impl<S: Level> Times<S> {
         same
     }
 
-    /// q with its last correction, q̇, q̈ and q⃛ into the lines, behind what stood in the last
-    /// lane; where q⃛ is finite. An equation may jump with the last correction, after which nothing
-    /// is looked at: then it is left out.
+    /// Writes q with its last correction, q̇, q̈ and q⃛ into the lines, after the data of the last
+    /// lane. Returns the lanes with a finite q⃛. If an equation may jump with the last correction,
+    /// the correction is omitted.
     #[inline(always)]
     fn write(&mut self, begins: bool) -> Mask<S> {
         let Times { simd, solver, lines, .. } = self;
@@ -247,14 +252,14 @@ impl<S: Level> Times<S> {
         for (line, place) in behind.chunks_exact_mut(Self::STRIDE).zip(&tape.third_rates) {
             let x = solver.at(*place);
             line[1..].copy_from_slice(x.as_slice());
-            // 0 · x is 0 of a number, and not a number of anything else.
+            // 0 · x is 0 for a finite x, otherwise NaN.
             none = none + x * zero;
         }
         none.equal(zero)
     }
 
-    /// How far q + h q̇ + ½ h² q̈ from either end of each step misses the other end, and by how
-    /// much anything turns.
+    /// Returns the error of q + h q̇ + ½ h² q̈ from either end of each step at the other end, and
+    /// the largest rotation.
     #[inline(always)]
     fn missed(&self, h: Wide<S>, limits: &Limits) -> [Wide<S>; 2] {
         let simd = self.simd;
@@ -286,7 +291,7 @@ impl<S: Level> Times<S> {
         [none.select(Wide::splat(simd, f64::NAN), miss), reach]
     }
 
-    /// As many numbers as there are lanes, from a place on.
+    /// Returns one number for each lane, from a place on.
     #[inline(always)]
     fn wide(&self, lines: &[f64], place: usize) -> Wide<S> {
         let mut wide = Wide::splat(self.simd, 0.0);

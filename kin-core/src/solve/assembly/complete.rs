@@ -1,4 +1,4 @@
-//! All assemblies that were found, and whether there can be others.
+//! The assemblies that Kin found, and whether others can exist.
 
 use std::fmt::{Display, Formatter};
 use std::ops::Deref;
@@ -11,22 +11,22 @@ use super::label::Label;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Assembly {
-    /// Its name among all.
+    /// The name of the assembly.
     pub label: Label,
-    /// The pose, C(q, t) = 0: a guess from which the mechanism is assembled in this way again
-    /// ([`crate::System::set_initial`]).   \[m, rad\]
+    /// The pose, with C(q, t) = 0. As a guess it leads to this assembly again
+    /// ([`crate::System::set_initial`]). \[m, rad\]
     pub q: Vec<f64>,
 }
 
-/// Completeness of a list of assemblies.
+/// Says whether a list of assemblies is complete.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Complete {
-    /// There is no other assembly.
+    /// Kin has proved that there is no other assembly.
     Proved,
-    /// More starts are not expected to lead to another assembly: the search has ended by its
-    /// statistical rule, not by a proof.
+    /// Kin does not expect another assembly from more starts. The search ended by its statistical
+    /// rule, not by a proof.
     Believed,
     /// Other assemblies may exist.
     Unknown,
@@ -43,15 +43,17 @@ impl Display for Complete {
 }
 
 /// The assemblies that [`crate::System::assemblies`] has found, in the order of their labels, and
-/// whether they are all there are. Reads like a slice: `all.len()`, `all[0]`, `for one in &all`.
+/// whether the list is complete.
+///
+/// The type dereferences to a slice: `all.len()`, `all[0]`, `for one in &all`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Assemblies {
     /// The assemblies.
     pub assemblies: Vec<Assembly>,
-    /// The verdict on completeness.
+    /// Says whether the list is complete.
     pub complete: Complete,
-    /// The reason for the verdict, in words.
+    /// The reason for that, in words.
     pub reason: String,
 }
 
@@ -81,17 +83,17 @@ impl<'a> IntoIterator for &'a Assemblies {
     }
 }
 
-/// The figures of a search, for its verdict.
+/// The figures of a search, from which its verdict follows.
 pub(super) struct Account {
-    /// Starts of all groups.
+    /// The number of starts of all groups.
     pub starts: usize,
-    /// The largest number of poses that may be missing in one group, and how often the rarest pose
-    /// was met.
+    /// The largest number of poses that may be missing in one group; `rarest` is how often the
+    /// rarest pose was found.
     pub missing: f64,
     pub rarest: usize,
-    /// True as long as every group had exactly one solution by its form.
+    /// True as long as every group is affine, so that it has exactly one solution.
     pub is_affine: bool,
-    /// Why poses may be missing, the first reason.
+    /// The first reason why poses may be missing; `None` if there is none.
     pub doubt: Option<String>,
 }
 
@@ -100,12 +102,12 @@ impl Account {
         Account { starts: 0, missing: 0.0, rarest: usize::MAX, is_affine: true, doubt: None }
     }
 
-    /// Notes a reason for doubt unless there is one.
+    /// Records a reason for doubt, unless there is one already.
     pub(super) fn doubt(&mut self, reason: impl FnOnce() -> String) {
         self.doubt.get_or_insert_with(reason);
     }
 
-    /// The verdict on so many assemblies, and its reason.
+    /// Returns the verdict on `found` assemblies, and its reason.
     pub(super) fn verdict(self, found: usize) -> (Complete, String) {
         let starts = self.starts;
         match self.doubt {

@@ -1,4 +1,4 @@
-//! Newton's steps for one group of equations, everything else held.
+//! Newton's steps for one group of equations, with all other coordinates constant.
 
 use super::groups::Group;
 use super::known::Known;
@@ -7,17 +7,17 @@ use crate::model::units::Unit;
 use crate::system::evaluate::Instant;
 use crate::system::scaled::{Measures, Model};
 
-/// No step turns a body by more than this, or moves it by more than so many extents of the
-/// group.   \[-\]
+/// The largest rotation of a body in one step, and the largest displacement in extents of the
+/// group. \[-\]
 const STEP: f64 = 0.5;
 
-/// Rows are met to this share of their norms.   \[-\]
+/// The residual of a satisfied row, as a share of its norm. \[-\]
 const NEAR: f64 = 1e-8;
 
-/// So many equations are solved as a dense matrix.
+/// The largest number of equations that are solved as a dense matrix.
 const SMALL: usize = 32;
 
-/// The pose in hand, and the space to work in.
+/// The present pose, with workspace buffers.
 pub(super) struct Finder<'a> {
     model: Model<'a>,
     measures: &'a Measures,
@@ -26,11 +26,11 @@ pub(super) struct Finder<'a> {
     instant: Instant,
     c: Vec<f64>,
     values: Vec<f64>,
-    /// The step in hand, in shares of the sizes of the group's coordinates.
+    /// The present step, in units of the sizes of the group's coordinates.
     y: Vec<f64>,
-    /// How far poses can be apart, by [`Finder::measure`].   \[m\]
+    /// The largest distance of poses from one another, from [`Finder::measure`]. \[m\]
     pub extent: f64,
-    /// The pose in hand, all coordinates.
+    /// The present pose, all coordinates.
     pub q: Vec<f64>,
 }
 
@@ -53,15 +53,15 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The same with an extent that is known.
+    /// Sets a known extent.
     pub(super) fn within(self, extent: f64) -> Self {
         Finder { extent, ..self }
     }
 
-    /// Finds the extent of the group as its equations show it at a pose: the lengths over which
-    /// they bend or turn, and by which they are off. Nothing of it depends on the origin.
+    /// Computes the extent of the group at a pose: the lengths over which its equations bend or
+    /// rotate, and by which they are off. It does not depend on the origin.
     pub(super) fn measure(&mut self, at: &[f64]) {
-        /// In typical lengths at most.   \[-\]
+        /// The largest extent, in typical lengths. \[-\]
         const MOST: f64 = 100.0;
         let units = &self.model.layout.units;
         let sizes = &self.measures.sizes;
@@ -99,9 +99,9 @@ impl<'a> Finder<'a> {
         self.extent = if extent > 0.0 { extent } else { size };
     }
 
-    /// Newton's steps from a start until the group is nearly met; false where they lead nowhere.
-    /// What has been found before has no influence, except that steps are pushed `away` from the
-    /// poses given.
+    /// Runs Newton's method from a start until the group is nearly satisfied. Returns false if the
+    /// steps lead nowhere. Earlier results have no influence, except that the poses of `away` push
+    /// steps away.
     pub(super) fn newton(&mut self, from: &[f64], steps: usize, away: Option<&Known<'_>>) -> bool {
         self.q.copy_from_slice(from);
         self.solver.forget();
@@ -126,9 +126,10 @@ impl<'a> Finder<'a> {
         false
     }
 
-    /// Newton's steps from a pose that is nearly met, as long as they shrink.
+    /// Continues Newton's method from a nearly satisfied pose as long as its steps shrink.
     pub(super) fn refine(&mut self, from: &[f64]) {
-        /// Towards a singular pose each step is half of the one before.
+        /// Towards a singular pose each step is half of the one before, so this number of steps
+        /// reaches rounding.
         const STEPS: usize = 60;
         self.q.copy_from_slice(from);
         self.solver.forget();
@@ -138,7 +139,7 @@ impl<'a> Finder<'a> {
                 return;
             }
             let length = self.length(1.0);
-            // Not a number does not shrink either.
+            // A NaN does not shrink either.
             if length.partial_cmp(&last) != Some(std::cmp::Ordering::Less) {
                 return;
             }
@@ -147,8 +148,8 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The derivatives by turns of spatial bodies: half of those by Euler parameters, without the
-    /// part along p, which turns nothing.
+    /// Appends the derivatives by rotations of spatial bodies: half of those by Euler parameters,
+    /// without the part along p, which does not rotate anything.
     fn turns(&self, at: &[f64], values: &[f64], rows: &mut [Bend]) {
         let mut slopes: std::collections::BTreeMap<(usize, usize), [f64; 4]> = Default::default();
         for &(place, row, column) in &self.group.entries {
@@ -170,9 +171,9 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// The one solution of an affine group; false where it is singular.
+    /// Computes the only solution of an affine group. Returns false if the group is singular.
     pub(super) fn affine(&mut self, from: &[f64]) -> bool {
-        /// The second step takes away what the first one has left by rounding.
+        /// The second step removes the rounding of the first one.
         const STEPS: usize = 2;
         self.q.copy_from_slice(from);
         self.solver.forget();
@@ -185,12 +186,13 @@ impl<'a> Finder<'a> {
         true
     }
 
-    /// Constraints that can close with an axis turned by 180°, and whose bodies are known here.
+    /// Returns the constraints that can close with an axis turned by 180°, and whose bodies are
+    /// known after this group.
     pub(super) fn branches(&self) -> &'a [usize] {
         &self.group.branches
     }
 
-    /// Brings Euler parameters to norm 1.
+    /// Normalises the Euler parameters.
     fn normalize(&mut self) {
         for &first in &self.group.turns {
             let p = &mut self.q[first..first + 4];
@@ -201,7 +203,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// C and C_q of the group at the pose in hand; false where they are not finite.
+    /// Evaluates C and C_q of the group at the present pose. Returns false if they are not finite.
     fn look(&mut self) -> bool {
         let equations = self.model.equations;
         equations.set_position(&self.q, &mut self.instant);
@@ -222,19 +224,20 @@ impl<'a> Finder<'a> {
         self.group.rows.iter().all(|row| self.c[*row].abs() <= NEAR * self.measures.norms[*row])
     }
 
-    /// y_j = dq_j / s_j with C_q dq = −C; false where C_q is singular.
+    /// Solves C_q dq = −C with y_j = dq_j / s_j. Returns false if C_q is singular.
     fn solve(&mut self) -> bool {
         self.solver.solve(self.group, self.measures, [&self.values, &self.c], &mut self.y)
     }
 
-    /// The largest share of the step in hand: of lengths against the extent, of others against 1.
+    /// Returns the largest component of the present step: lengths relative to the extent, others
+    /// relative to 1.
     fn length(&self, push: f64) -> f64 {
         let share = |(column, y): (&usize, &f64)| {
             let is_length = self.model.layout.units[*column] == Unit::Metre;
             let unit = if is_length { self.measures.sizes[*column] / self.extent } else { 1.0 };
             (push * unit * y).abs()
         };
-        // Not a number counts.
+        // A NaN counts too.
         self.group
             .columns
             .iter()
@@ -249,7 +252,7 @@ impl<'a> Finder<'a> {
         }
     }
 
-    /// ∇ln M · Δ for the step in hand.
+    /// Returns ∇ln M · Δ for the present step.
     fn repulsion(&self, known: &Known<'_>) -> f64 {
         let mut step = vec![0.0; self.q.len()];
         self.group.columns.iter().zip(&self.y).for_each(|(column, y)| step[*column] = *y);
@@ -260,20 +263,20 @@ impl<'a> Finder<'a> {
 /// How an equation changes with lengths and angles.
 #[derive(Clone)]
 struct Bend {
-    /// |C|.
+    /// The residual |C|.
     off: f64,
     /// The largest derivatives by lengths and by angles.
     per_length: f64,
     per_angle: f64,
-    /// How much the former change per length.
+    /// The change of the derivatives by lengths, per length.
     change: f64,
 }
 
 impl Bend {
-    /// The largest of: the lever; the length over which the slope changes by itself; the length
-    /// over which the equation can be met.
+    /// Returns the largest of the lever, the length over which the slope changes, and the length
+    /// over which the equation can be satisfied.
     fn length(&self, size: f64) -> f64 {
-        /// Slopes that change by less, along a typical length, are those of a straight row.   \[-\]
+        /// A row whose slopes change by less than this over a typical length is straight. \[-\]
         const STRAIGHT: f64 = 1e-6;
         if self.per_length == 0.0 {
             return 0.0;
@@ -288,8 +291,8 @@ impl Bend {
     }
 }
 
-/// Newton's steps in shares: of a few equations at once, of many by the recorded elimination; by
-/// least squares where there are more equations than coordinates.
+/// Solvers of Newton's steps: a dense matrix for a few equations, the recorded elimination for
+/// many, least squares if there are more equations than coordinates.
 enum Solver {
     Small(Dense),
     Square(Linear),
@@ -317,12 +320,12 @@ impl Solver {
     fn forget(&mut self) {
         match self {
             Solver::Square(linear) => linear.forget(),
-            // They do so before each factoring.
+            // These solvers normalise before each factoring.
             Solver::Small(_) | Solver::LeastSquares(_) => {}
         }
     }
 
-    /// y_j = dq_j / s_j with C_q dq = −C; false where C_q is singular.
+    /// Solves C_q dq = −C with y_j = dq_j / s_j. Returns false if C_q is singular.
     fn solve(
         &mut self,
         group: &Group,
@@ -330,7 +333,7 @@ impl Solver {
         [values, c]: [&[f64]; 2],
         y: &mut [f64],
     ) -> bool {
-        /// Against matrices that are singular on the way.   \[-\]
+        /// Damping, because matrices can be singular during the search. \[-\]
         const DAMPING: f64 = 1e-9;
         let Measures { sizes, norms, .. } = measures;
         let rhs = group.rows.iter().map(|row| -c[*row] / norms[*row]);

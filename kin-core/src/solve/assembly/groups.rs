@@ -1,28 +1,28 @@
-//! Equations that must be solved together, group after group: each has as many coordinates as
-//! equations once those before it are solved. A driven crank is a group of its own, and the loop it
-//! moves is another one.
+//! Splits the equations into groups that must be solved together. Each group has as many
+//! coordinates as equations once the preceding groups are solved. A driven crank is one group, and
+//! the loop that it moves is another.
 
 use crate::model::coordinates::Target;
 use crate::model::layout::{Kind, Place};
 use crate::program::blocks;
 use crate::system::scaled::Model;
 
-/// Some of the rows and columns of C_q.
+/// Some rows and columns of C_q.
 #[derive(Clone, Debug)]
 pub(super) struct Group {
     pub rows: Vec<usize>,
     pub columns: Vec<usize>,
-    /// Constraints that have a row in it.
+    /// The constraints with a row in the group.
     pub constraints: Vec<usize>,
-    /// Values of C_q in it: the place among all values, the row and the column in the group.
+    /// The values of C_q in the group, as (index among all values, row, column in the group).
     pub entries: Vec<(usize, usize, usize)>,
-    /// True if none of these values ever changes: the equations have exactly one solution.
+    /// True if all these values are constant: then the equations have exactly one solution.
     pub is_affine: bool,
-    /// The first of four Euler parameters that are all in the group.
+    /// The first of four Euler parameters that are all in the group, for each such body.
     pub turns: Vec<usize>,
     /// The angles of planar bodies in the group.
     pub angles: Vec<usize>,
-    /// Constraints that can close with an axis turned by 180°, and whose bodies are known after
+    /// The constraints that can close with an axis turned by 180°, and whose bodies are known after
     /// this group.
     pub branches: Vec<usize>,
 }
@@ -66,20 +66,20 @@ impl Group {
         }
     }
 
-    /// True if the angle, or all Euler parameters, of the body with this first coordinate are in
-    /// the group.
+    /// Returns true if the group contains the angle, or all Euler parameters, of the body with this
+    /// first coordinate.
     pub(super) fn turns_body(&self, first: usize) -> bool {
         self.turns.contains(&(first + 3)) || self.angles.contains(&(first + 2))
     }
 
-    /// True if there are as many equations as coordinates.
+    /// Returns true if there are as many equations as coordinates.
     pub(super) fn is_square(&self) -> bool {
         self.rows.len() == self.columns.len()
     }
 }
 
-/// The groups, each after those that it depends on; a single one where equations and coordinates do
-/// not pair up.
+/// Returns the groups, each after those on which it depends. It returns a single group if equations
+/// and coordinates do not pair up.
 pub(super) fn groups(model: &Model<'_>) -> Vec<Group> {
     let mut groups = apart(model).unwrap_or_else(|| {
         vec![Group::new(model, (0..model.m()).collect(), (0..model.n()).collect())]
@@ -95,7 +95,7 @@ pub(super) fn groups(model: &Model<'_>) -> Vec<Group> {
     groups
 }
 
-/// The groups of as many equations as coordinates; `None` where they do not pair up.
+/// Returns the groups with as many equations as coordinates, or `None` if they do not pair up.
 fn apart(model: &Model<'_>) -> Option<Vec<Group>> {
     let equations = model.equations;
     if model.m() != model.n() || model.n() == 0 {
@@ -111,7 +111,7 @@ fn apart(model: &Model<'_>) -> Option<Vec<Group>> {
     Some(found.into_iter().map(|(rows, columns)| Group::new(model, rows, columns)).collect())
 }
 
-/// The coordinates of the bodies that a constraint joins.
+/// Returns the coordinates of the bodies of a constraint.
 fn columns_of<'a>(model: &'a Model<'_>, block: usize) -> impl Iterator<Item = usize> + 'a {
     let arguments = model.equations.blocks[block].constraint.arguments();
     arguments.into_iter().flat_map(|argument| {

@@ -1,21 +1,22 @@
-//! The poses of one group that are known, how often starts have led to each, and how many may be
-//! missing.
+//! The known poses of one group, how often starts have led to each, and an estimate of the missing
+//! poses.
 
 use super::label::canonical;
 use crate::model::layout::Kind;
 use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
-/// Two poses are one where no coordinate differs by more.   \[-\]
+/// Two poses are equal if no coordinate differs by more than this. \[-\]
 const SAME: f64 = 1e-5;
 
-/// So many poses, on average, may be missing where a search ends.   \[-\]
+/// The expected number of missing poses at which a search ends. \[-\]
 const MISSING: f64 = 0.1;
 
-/// Each pose is met this often at least: one that is met by one start only has others of its kind.
+/// The smallest number of hits of each pose. If only one start leads to a pose, there are probably
+/// others like it.
 pub(super) const OFTEN: usize = 4;
 
-/// A pose, and how often starts that knew nothing of it have led there.
+/// A pose, and how often starts without knowledge of it have led there.
 pub(super) struct Pose {
     pub q: Vec<f64>,
     canonical: Vec<f64>,
@@ -26,7 +27,8 @@ pub(super) struct Known<'a> {
     model: Model<'a>,
     measures: &'a Measures,
     pub poses: Vec<Pose>,
-    /// Starts that have led to a pose, and starts since the last one that led to a new pose.
+    /// The number of starts that have led to a pose, and the number of starts since the last new
+    /// pose.
     hits: usize,
     pub idle: usize,
 }
@@ -36,19 +38,19 @@ impl<'a> Known<'a> {
         Known { model, measures, poses: Vec::new(), hits: 0, idle: 0 }
     }
 
-    /// The place of a pose among those that are known.
+    /// Returns the index of a pose among the known poses.
     pub(super) fn find(&self, q: &[f64]) -> Option<usize> {
         let pose = canonical(self.model.layout, self.measures, q);
         self.poses.iter().position(|known| self.difference(&known.canonical, &pose).0 < SAME)
     }
 
-    /// A start has led to a known pose.
+    /// Records that a start has led to a known pose.
     pub(super) fn hit(&mut self, place: usize) {
         self.hits += 1;
         self.poses[place].hits += 1;
     }
 
-    /// Keeps a new pose; `is_chance` unless its start was led away from the others.
+    /// Stores a new pose. `is_chance` is false if its start was pushed away from the others.
     pub(super) fn keep(&mut self, q: Vec<f64>, is_chance: bool) {
         let canonical = canonical(self.model.layout, self.measures, &q);
         self.poses.push(Pose { q, canonical, hits: usize::from(is_chance) });
@@ -56,35 +58,37 @@ impl<'a> Known<'a> {
         self.idle = 0;
     }
 
-    /// The number of poses that are missing, as it is to be expected of as many hits if nothing is
-    /// known of how likely each pose is: w (w + 1) / (N − w − 2) of w poses by N hits (C. G. E.
-    /// Boender, A. H. G. Rinnooy Kan, Bayesian stopping rules for multistart global optimization
-    /// methods, Math. Programming 37, 1987).
+    /// Returns the expected number of missing poses: w (w + 1) / (N − w − 2) for w poses and N
+    /// hits, if nothing is known about the probability of each pose (C. G. E. Boender, A. H. G.
+    /// Rinnooy Kan, Bayesian stopping rules for multistart global optimization methods, Math.
+    /// Programming 37, 1987).
     pub(super) fn missing(&self) -> f64 {
         let w = self.poses.len() as f64;
         let n = self.hits as f64;
         if n > w + 2.0 { w * (w + 1.0) / (n - w - 2.0) } else { f64::INFINITY }
     }
 
-    /// How often the pose that was met least was met.
+    /// Returns the number of hits of the rarest pose.
     pub(super) fn rarest(&self) -> usize {
         self.poses.iter().map(|pose| pose.hits).min().unwrap_or(0)
     }
 
-    /// True if more starts are not worth it: nothing new for a while, few poses missing by the
-    /// estimate, and none that chance has hardly led to.
+    /// Returns true if more starts are not worth their time: no new pose for a while, few missing
+    /// poses by the estimate, and no pose with hardly any hits.
     pub(super) fn is_settled(&self, patience: usize) -> bool {
         let w = self.poses.len();
         self.idle >= patience + 10 * w
             && (w == 0 || (self.missing() <= MISSING && self.rarest() >= OFTEN))
     }
 
-    /// ∇ln M · Δ for a step of shares y, M = Π (1 + ρ²/d_k²) over the known poses.
+    /// Returns ∇ln M · Δ for a step y in units of the sizes, with M = Π (1 + ρ²/d_k²) over the
+    /// known poses.
     pub(super) fn repulsion(&self, q: &[f64], mut y: Vec<f64>) -> f64 {
-        /// ρ², how far it reaches.   \[-\]
+        /// ρ², the square of the range of the repulsion. \[-\]
         const RANGE: f64 = 0.05;
         let pose = canonical(self.model.layout, self.measures, q);
-        // Where the canonical pose has the other signs of Euler parameters, the step has them too.
+        // If the canonical pose has the opposite Euler parameters, the step gets the opposite signs
+        // too.
         for item in self.model.layout.items.iter().filter(|item| item.kind == Kind::Spatial) {
             let own = item.first + 3..item.first + 7;
             if q[own.clone()].iter().zip(&pose[own.clone()]).any(|(q, pose)| q * pose < 0.0) {
@@ -94,14 +98,14 @@ impl<'a> Known<'a> {
         let gradient = |known: &Pose| {
             let (_, difference, square) = self.difference(&known.canonical, &pose);
             let along: f64 = difference.iter().zip(&y).map(|(d, y)| d * y).sum();
-            // ∂ ln(1 + ρ²/d²) = −2 d·∂d / (d² (d²/ρ² + 1))
+            // ∂ ln(1 + ρ²/d²) = −2 d·∂d / (d² (d²/ρ² + 1)).
             -2.0 * along / (square * (square / RANGE + 1.0)).max(f64::MIN_POSITIVE)
         };
         self.poses.iter().map(gradient).sum()
     }
 
-    /// b − a, angles by the shorter way, Euler parameters by the nearer of the two signs: the
-    /// largest, all, and the sum of squares.
+    /// Returns b − a, with angles by the shorter way and Euler parameters by the nearer sign: the
+    /// largest component, all components, and the sum of squares.
     fn difference(&self, a: &[f64], b: &[f64]) -> (f64, Vec<f64>, f64) {
         let mut d: Vec<f64> = a.iter().zip(b).map(|(a, b)| b - a).collect();
         for (d, _) in

@@ -10,24 +10,24 @@ use crate::model::state::SpatialState;
 use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
-/// The name of one assembly among all: a sign vector, and an ordinal among those of the same signs.
-/// Written as `+-+ 2`.
+/// The name of one assembly: a vector of signs, and an ordinal among the assemblies with the same
+/// signs. It is written as `+-+ 2`.
 ///
-/// The first sign is that of det C_q, which changes only at singular positions (for redundant
-/// mechanisms it is left out). Then comes one for each pair of moving bodies that a constraint
-/// joins, in the order in which constraints were added, and one for each spatial body that is
-/// joined to the ground. For planar bodies i and j it is the sign of sin(θ_j − θ_i): the elbow to
-/// the left or to the right. For spatial bodies it is + where they are turned against each other by
-/// less than a right angle on the whole, tr(A_iᵀ A_j) > 1.
+/// The first sign is that of det C_q, which changes only at singular positions. Redundant
+/// mechanisms have no such sign. One sign follows for each pair of moving bodies that a constraint
+/// joins, in the order in which constraints were added, and for each spatial body that is joined to
+/// the ground. For planar bodies i and j it is the sign of sin(θ_j − θ_i): the elbow is on the left
+/// or on the right. For spatial bodies it is + if their relative rotation is less than a right
+/// angle on the whole, tr(A_iᵀ A_j) > 1.
 ///
-/// Ordinals count from 1 in the order of the coordinates, the first that differs by more than 1e-6
-/// (of a radian, of the model's length) decides; angles between −π and π, Euler parameters with the
-/// first that is not zero above zero: p and −p are one pose.
+/// Ordinals count from 1 in the order of the coordinates. The first coordinate that differs by more
+/// than 1e-6 (of a radian, or of the model's length) decides. Angles count between −π and π. Of p
+/// and −p, which are one pose, the one whose first nonzero number is positive counts.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Label {
     /// The signs, +1 or −1.
     pub signs: Vec<i8>,
-    /// The ordinal among assemblies of the same signs, from 1.
+    /// The ordinal among assemblies with the same signs, from 1.
     pub ordinal: usize,
 }
 
@@ -66,13 +66,13 @@ impl FromStr for Label {
     }
 }
 
-/// q with angles between −π and π and one of the two signs of Euler parameters, lengths in units of
-/// the model's: equal for equal poses.
+/// Returns q with angles between −π and π, one of the two signs of Euler parameters, and lengths in
+/// units of the model's length. It is equal for equal poses.
 pub(super) fn canonical(layout: &Layout, measures: &Measures, q: &[f64]) -> Vec<f64> {
     let mut all: Vec<f64> = q.iter().zip(&measures.sizes).map(|(q, size)| q / size).collect();
     for (x, _) in all.iter_mut().zip(&layout.units).filter(|(_, unit)| **unit == Unit::Radian) {
         let (sin, cos) = x.sin_cos();
-        // −π and π are one angle.
+        // −π and π are the same angle.
         *x = if sin.abs() < SAME && cos < 0.0 { std::f64::consts::PI } else { sin.atan2(cos) };
     }
     for item in layout.items.iter().filter(|item| item.kind == Kind::Spatial) {
@@ -84,11 +84,10 @@ pub(super) fn canonical(layout: &Layout, measures: &Measures, q: &[f64]) -> Vec<
     all
 }
 
-/// Coordinates nearer than this are the same.   \[-\]
+/// Coordinates closer than this are equal. \[-\]
 pub(super) const SAME: f64 = 1e-6;
 
-/// Labels of assemblies, which come out in the canonical order: by signs, + before −, then by
-/// coordinates.
+/// Labels assemblies and sorts them: by signs, + before −, then by coordinates.
 pub(super) fn labelled(
     model: &Model<'_>,
     measures: &Measures,
@@ -144,7 +143,7 @@ fn signs(model: &Model<'_>, measures: &Measures, q: &[f64], t: f64) -> Vec<i8> {
     signs
 }
 
-/// A body, and its first coordinate if it is not the ground.
+/// Returns a body, and its first coordinate unless it is the ground.
 fn body(layout: &Layout, target: &Target) -> Option<(Target, Option<usize>)> {
     if matches!(target, Target::Coord(..)) {
         return None;

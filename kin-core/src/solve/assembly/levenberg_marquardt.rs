@@ -1,60 +1,61 @@
-//! Damped least squares on C (Levenberg–Marquardt): more equations than coordinates, dependent
-//! ones, and none that can be met, are all the same to it.
+//! Damped least squares on C (Levenberg–Marquardt). It accepts more equations than coordinates,
+//! dependent equations, and equations that cannot be satisfied.
 
 use crate::linear::LeastSquares;
 use crate::system::scaled::{Measures, Model, Point};
 
-/// No step turns a body by more than this.   \[rad\]
+/// The largest rotation of a body in one step. \[rad\]
 const TURN: f64 = 1.0;
 
-/// So many steps in a row that raise the sum of squares are enough.
+/// The search ends after this number of consecutive steps that raise the sum of squares.
 const IDLE: usize = 200;
 
-/// The damping, against rows and columns of order 1: where it starts and where it may go.   \[-\]
+/// The damping at the start, and its limits, for rows and columns of order 1. \[-\]
 const START: f64 = 1e-2;
 const DAMPING: std::ops::RangeInclusive<f64> = 1e-11..=1e10;
 
-/// A sum of squares below this is zero but for rounding; a step shorter than this is none.   \[-\]
+/// A sum of squares below this value is zero within rounding; a step shorter than the second value
+/// counts as none. \[-\]
 const ZERO: f64 = 1e-28;
 const SHORT: f64 = 1e-15;
 
-/// Five hardly damped steps in a row that lower the sum of squares by less than this share have
-/// reached the bottom.   \[-\]
+/// The search ends after five hardly damped consecutive steps that lower the sum of squares by less
+/// than this share. \[-\]
 const FLAT: f64 = 1e-11;
 
-/// Weight of the norms of Euler parameters: where not everything can be met, bodies are to stay
-/// rigid.   \[-\]
+/// The weight of the norms of Euler parameters. If not everything can be satisfied, bodies should
+/// stay rigid. \[-\]
 const RIGID: f64 = 10.0;
 
-/// Σ (w_i (C_i + shift_i) / norm_i)² + Σ (h (q_p − v_p) / s_p)², unknowns y_j = dq_j / s_j, and
-/// y_n = dt / s_t where time is free too.
+/// Minimises Σ (w_i (C_i + shift_i) / norm_i)² + Σ (h (q_p − v_p) / s_p)². The unknowns are y_j =
+/// dq_j / s_j, and y_n = dt / s_t if time is free too.
 ///
-/// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0), which is (Jᵀ J + λ I) y = −Jᵀ c without
-/// squaring J: among the steps that serve equally well it is the shortest.
+/// Each step solves \[I, J; Jᵀ, −λ I\] (r, y) = (−c, 0). This is (Jᵀ J + λ I) y = −Jᵀ c without
+/// squaring J. Of all equally good steps it is the shortest.
 pub(crate) struct LevenbergMarquardt<'a> {
     model: Model<'a>,
     measures: &'a Measures,
-    /// w_i; a row of weight 0 is left out.
+    /// The weight w_i of each row; a row of weight 0 is left out.
     pub weights: Vec<f64>,
-    /// Numbers that are added to each C_i, zero at first.   \[unit of the row\]
+    /// For each row a number that is added to C_i; initially zero. \[unit of the row\]
     pub shifts: Vec<f64>,
-    /// Coordinates that are held softly: (column, value, h).
+    /// The coordinates with a soft target, as (column, value, h).
     pub holds: Vec<(usize, f64, f64)>,
     time_is_free: bool,
     least_squares: LeastSquares,
     damping: f64,
 }
 
-/// Where a search stands.
+/// A state of the search.
 #[derive(Clone, Debug)]
 pub(crate) struct Iterate {
     pub q: Vec<f64>,
     pub t: f64,
-    /// The sum of squares there.
+    /// The sum of squares.
     pub merit: f64,
-    /// Steps that led there.
+    /// The number of steps so far.
     pub steps: usize,
-    /// C and C_q there.
+    /// C and C_q.
     pub point: Point,
 }
 
@@ -84,7 +85,7 @@ impl<'a> LevenbergMarquardt<'a> {
         }
     }
 
-    /// The place at (q, t); `None` where C or C_q is not finite.
+    /// Returns the state at (q, t), or `None` if C or C_q is not finite.
     pub(crate) fn place(&self, q: &[f64], t: f64) -> Option<Iterate> {
         let point = self.model.linearize(q, t).ok()?;
         let rows = (0..self.weights.len())
@@ -94,17 +95,17 @@ impl<'a> LevenbergMarquardt<'a> {
         merit.is_finite().then(|| Iterate { q: q.to_vec(), t, merit, steps: 0, point })
     }
 
-    /// w_i / norm_i
+    /// Returns w_i / norm_i.
     fn weight(&self, row: usize) -> f64 {
         self.weights[row] / self.measures.norms[row]
     }
 
-    /// h (q_p − v_p) / s_p
+    /// Returns h (q_p − v_p) / s_p.
     fn offset(&self, q: &[f64], (column, value, hold): (usize, f64, f64)) -> f64 {
         hold * (q[column] - value) / self.measures.sizes[column]
     }
 
-    /// Lowers the sum of squares as far as it goes.
+    /// Lowers the sum of squares as far as possible.
     pub(crate) fn minimise(&mut self, from: Iterate, steps: usize) -> Iterate {
         let mut here = from;
         self.damping = START;
@@ -130,8 +131,8 @@ impl<'a> LevenbergMarquardt<'a> {
                     flat + 1
                 };
                 here = next;
-                // Near a place where C is met the damping falls with C itself, so that convergence
-                // is quadratic.
+                // Near a solution the damping falls with C itself, so that convergence is
+                // quadratic.
                 self.damping = (0.2 * self.damping)
                     .min(if falls { here.merit.max(1e-9) } else { f64::INFINITY })
                     .max(*DAMPING.start());
@@ -147,7 +148,8 @@ impl<'a> LevenbergMarquardt<'a> {
         here
     }
 
-    /// One damped step, and its largest share; `None` where there is none or it turns too far.
+    /// Makes one damped step and returns its largest component. Returns `None` if there is no step,
+    /// or if the step rotates a body too far.
     fn step(&mut self, here: &Iterate) -> Option<(Iterate, f64)> {
         let (jacobian, rhs) = self.rows(here);
         if !self.least_squares.factor(jacobian.iter().copied(), self.damping) {
@@ -169,7 +171,7 @@ impl<'a> LevenbergMarquardt<'a> {
         Some((Iterate { steps: here.steps + 1, ..next }, length.max(dt.abs())))
     }
 
-    /// The values of the scaled matrix in the order of its places, and −c.
+    /// Returns the values of the scaled matrix in the order of its entries, and −c.
     fn rows(&self, here: &Iterate) -> (Vec<f64>, Vec<f64>) {
         let m = self.weights.len();
         let entries = self.model.equations.entries.iter().zip(&here.point.values);

@@ -1,4 +1,5 @@
-//! From a poor guess to a pose: the nearest one, all there are, the least gap where there is none.
+//! Finds poses from poor guesses: the nearest pose, all poses, or the smallest gap if there is
+//! none.
 
 mod complete;
 mod finder;

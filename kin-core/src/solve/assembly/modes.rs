@@ -1,12 +1,12 @@
-//! All assemblies of a mechanism at one time.
+//! Finds all assemblies of a mechanism at one time.
 //!
-//! The equations fall into groups that follow one another ([`groups`]). Of each group all solutions
-//! are looked for, once for each combination of solutions before it: Newton's steps from many
-//! starts. Where one of the first starts leads to a known solution, the same start is tried once
-//! more with the known ones deflated: their neighbourhoods push steps away (P. E. Farrell, Á.
-//! Birkisson, S. W. Funke, Deflation techniques for finding distinct solutions of nonlinear partial
-//! differential equations, SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M
-//! C = 0 is Newton's step times 1 / (1 − ∇ln M · Δq). The search ends by a statistical rule
+//! The equations form groups that follow one another ([`groups`]). For each combination of
+//! solutions of the preceding groups, Kin searches all solutions of a group by Newton's method from
+//! many starts. If one of the first starts leads to a known solution, Kin repeats it with
+//! deflation, which pushes steps away from known solutions (P. E. Farrell, Á. Birkisson, S. W.
+//! Funke, Deflation techniques for finding distinct solutions of nonlinear partial differential
+//! equations, SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is
+//! Newton's step times 1 / (1 − ∇ln M · Δq). The search ends by a statistical rule
 //! ([`Known::is_settled`]).
 
 use rayon::prelude::*;
@@ -28,16 +28,17 @@ use crate::system::scaled::{Measures, Model};
 /// assemblies than this are not listed.
 const MOST: usize = 2000;
 
-/// The first so many starts of a group are deflated where they lead to a known solution.
+/// The number of first starts of a group that are deflated if they lead to a known solution.
 const DEFLATED: usize = 64;
 
-/// So many starts are taken one after the other: most loops need no more, and no other core.
+/// The number of starts that run one after the other. Most loops need no more, so they need no
+/// other core.
 const FIRST: usize = 128;
 
-/// Later ones are taken so many at a time, on all cores.
+/// The number of later starts that run at once, on all cores.
 const AT_ONCE: usize = 256;
 
-/// All assemblies that are found, in the order of their labels.
+/// Returns all assemblies that it finds, in the order of their labels.
 pub(crate) fn all(
     model: Model<'_>,
     guess: &[f64],
@@ -88,7 +89,8 @@ struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    /// All solutions of a group that are found beside what is known before it, and that are meant.
+    /// Returns all solutions of a group, on the right branch, for given solutions of the preceding
+    /// groups.
     fn solutions(
         &mut self,
         (number, group): (usize, &Group),
@@ -109,7 +111,7 @@ impl<'a> Search<'a> {
         Ok(if is_meant { vec![finder.q.clone()] } else { Vec::new() })
     }
 
-    /// Start after start until more are not worth it.
+    /// Runs start after start until more are not worth their time.
     fn search(
         &mut self,
         (number, group): (usize, &Group),
@@ -157,7 +159,7 @@ impl<'a> Search<'a> {
         Ok(known.poses.into_iter().map(|pose| pose.q).collect())
     }
 
-    /// Where starts lead, which are independent of one another.
+    /// Runs independent starts in parallel.
     fn at_once(
         &self,
         (number, group): (usize, &Group),
@@ -173,8 +175,8 @@ impl<'a> Search<'a> {
         starts.into_par_iter().map_init(new, find).collect()
     }
 
-    /// Counts where a start has led. Where that was known, `again` is the start to be led away from
-    /// there.
+    /// Counts the result of a start. If the pose was known, `again` is the start for a deflated
+    /// attempt.
     fn absorb(
         &self,
         known: &mut Known<'a>,
@@ -182,7 +184,7 @@ impl<'a> Search<'a> {
         found: Option<&[f64]>,
         again: Option<&[f64]>,
     ) {
-        /// Deflated steps are worth this many.
+        /// The largest number of deflated steps.
         const STEPS: usize = 20;
         known.idle += 1;
         let Some(q) = found else { return };
@@ -201,8 +203,8 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The place of a pose among those that are known, or a new pose with all digits; `None` of one
-    /// that closes with an axis turned by 180°, which counts as no pose.
+    /// Returns the index of a pose among the known ones, or stores it as a new one with all digits.
+    /// Returns `None` for a pose with an axis turned by 180°, which does not count.
     fn known_as(
         &self,
         known: &Known<'a>,
@@ -219,8 +221,8 @@ impl<'a> Search<'a> {
         Some(known.find(&finder.q).ok_or_else(|| finder.q.clone()))
     }
 
-    /// The first start is the pose in hand; of others the group's angles and Euler parameters may
-    /// be any, its lengths are around the pose in hand.
+    /// Returns a start. The first one is the present pose. In others the group's angles and Euler
+    /// parameters are arbitrary, and its lengths are near the present pose.
     fn start(
         &self,
         (number, group): (usize, &Group),
@@ -228,7 +230,7 @@ impl<'a> Search<'a> {
         extent: f64,
         start: usize,
     ) -> Vec<f64> {
-        /// How far, in extents of the group, by turns.
+        /// The distances of starts, in extents of the group, in turn.
         const REACH: [f64; 3] = [0.5, 1.0, 2.0];
         let mut q = base.to_vec();
         if start > 0 {
@@ -252,8 +254,8 @@ impl<'a> Search<'a> {
         if group.is_square() { q } else { turn::turned(&self.model, &q, self.t, &|_| true) }
     }
 
-    /// The poses brought onto C = 0 with all digits, each once; those that do not close are left
-    /// out.
+    /// Moves the poses onto C = 0 with all digits, removes duplicates, and omits those that do not
+    /// close.
     fn closed(&mut self, poses: Vec<Vec<f64>>) -> Vec<Vec<f64>> {
         let mut known = Known::new(self.model, self.measures);
         let mut onto_equations =
@@ -269,7 +271,7 @@ impl<'a> Search<'a> {
         known.poses.into_iter().map(|pose| pose.q).collect()
     }
 
-    /// A search has ended before its time.
+    /// Records that a search ended too early.
     fn doubt_of(&mut self, known: &Known<'_>, is_exhausted: bool, starts: usize) {
         self.account.doubt(|| {
             let w = known.poses.len();
@@ -288,7 +290,7 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// A singular pose may be one of a family that is not a list.
+    /// Records that a singular pose may belong to a family, which is no list.
     fn doubt_where_singular(&mut self, label: &str, q: &[f64]) {
         let model = self.model;
         let t = self.t;
@@ -303,13 +305,13 @@ impl<'a> Search<'a> {
     }
 }
 
-/// Starts at most for one group: large groups cost more, and get fewer.
+/// Returns the largest number of starts for one group. Large groups cost more and get fewer.
 fn most_starts(group: &Group, starts: usize) -> usize {
     let share = (7.0 / group.columns.len().max(7) as f64).powi(2).max(0.2);
     ((starts as f64 * share).ceil() as usize).max(1)
 }
 
-/// Four numbers of norm 1, all directions alike.
+/// Draws four numbers of norm 1, with uniform directions.
 fn within_the_ball(p: &mut [f64], random: &mut Random) {
     let norm = loop {
         let norm = p.iter().map(|e| e * e).sum::<f64>().sqrt();

@@ -1,28 +1,24 @@
-//! How far poses are looked for.
+//! SolverOptions of the search for a pose.
 
 use std::time::{Duration, Instant};
 
 use crate::model::error::{Error, Result};
 
-/// SolverOptions of the search for a pose from a poor guess, and of the diagnosis where no pose
-/// exists.
-///
-/// ```
-/// let search = kin::solver::SearchOptions::new().starts(50);
-/// assert_eq!(search.starts, 50);
-/// ```
+/// SolverOptions of the search for a pose from a guess that may be poor. All fields have defaults:
+/// `SearchOptions { starts: 50, ..SearchOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SearchOptions {
-    /// Starts that are tried until one leads to a pose: the guess, then others around it, ever
-    /// further from it; default 16.
+    /// The largest number of starts: the guess, then others around it at growing distances; default
+    /// 16.
     pub starts: usize,
-    /// Steps of damped least squares (Levenberg–Marquardt) from one start at most; default 200.
+    /// The largest number of damped least-squares steps (Levenberg–Marquardt) from one start;
+    /// default 200.
     pub steps: usize,
-    /// The same seed gives the same starts; default 0.
+    /// The seed of the random starts. The same seed gives the same starts; default 0.
     pub seed: u64,
-    /// Time after which no other start is begun. With a limit the result can depend on the machine;
-    /// default none.
+    /// The time after which no new start begins; default none. With a limit the result can depend
+    /// on the machine.
     pub time_limit: Option<Duration>,
     /// Constraints that a diagnosis releases at most, where not all can be satisfied; default 6.
     pub released: usize,
@@ -129,7 +125,7 @@ pub(crate) fn at_least_one(limit: usize, what: &str) -> Result<()> {
     Err(Error::InvalidOptions { reason: format!("no {what} are allowed; allow one at least") })
 }
 
-/// A limit of time that has begun.
+/// A time limit that has begun.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Clock(Option<(Instant, Duration)>);
 
@@ -138,7 +134,7 @@ impl Clock {
         Clock(limit.map(|limit| (Instant::now(), limit)))
     }
 
-    /// True if the time is over.
+    /// Returns true if the time is over.
     pub(crate) fn is_up(&self) -> bool {
         self.0.is_some_and(|(begun, limit)| begun.elapsed() >= limit)
     }

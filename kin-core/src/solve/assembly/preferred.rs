@@ -1,5 +1,5 @@
-//! How near a pose is to what is preferred, and the assembly that is nearest where measures of
-//! joints are.
+//! The distance of a pose from preferred values, and the nearest assembly if measures of joints are
+//! preferred.
 
 use super::modes;
 use super::options::SearchOptions;
@@ -9,12 +9,12 @@ use crate::model::layout::{Kind, Layout};
 use crate::model::units::Unit;
 use crate::system::{PreferredMeasure, System};
 
-/// An assembly this near to everything that is preferred is taken without a search for
-/// others.   \[rad, or typical lengths\]
+/// If an assembly is this close to all preferred values, Kin does not search others. \[rad, or
+/// typical lengths\]
 const CLOSE: f64 = 1e-3;
 
-/// How far the worst preferred coordinate is from its value: of an angle and of Euler parameters in
-/// radians, else relative to its size.
+/// Returns the distance of the worst preferred coordinate from its value: in radians for angles and
+/// Euler parameters, otherwise relative to its size.
 pub(crate) fn distance(
     layout: &Layout,
     preferred: &[(usize, f64)],
@@ -29,7 +29,7 @@ pub(crate) fn distance(
                 .filter(|(column, _)| own.contains(column))
                 .map(|&(column, value)| (q[column], value))
         };
-        // p and −p are one turn; |p − p0| is half the angle between, nearly.
+        // p and −p are one orientation; |p − p0| is about half of the angle between them.
         let sign = if pairs().map(|(q, value)| q * value).sum::<f64>() < 0.0 { -1.0 } else { 1.0 };
         2.0 * pairs().map(|(q, value)| (sign * q - value).powi(2)).sum::<f64>().sqrt()
     });
@@ -40,7 +40,7 @@ pub(crate) fn distance(
         .fold(0.0, f64::max)
 }
 
-/// How far an angle is from another, whole turns apart; of other numbers the difference.
+/// Returns the difference of two numbers, for angles without full revolutions.
 pub(crate) fn apart(x: f64, value: f64, is_angle: bool) -> f64 {
     let d = x - value;
     if is_angle {
@@ -51,7 +51,7 @@ pub(crate) fn apart(x: f64, value: f64, is_angle: bool) -> f64 {
 }
 
 impl System {
-    /// Takes measures that are preferred, by name. Errors: a name that nothing has.
+    /// Stores preferred measures by name. Errors: a name that nothing has.
     pub(crate) fn set_asked(&mut self, all: &[(String, f64)]) -> Result<()> {
         for (name, value) in all {
             if let Some(column) = self.coordinate_names().iter().position(|known| known == name) {
@@ -70,8 +70,8 @@ impl System {
         Ok(())
     }
 
-    /// Where no measure is preferred, or the pose is near enough to those that are, nothing; else
-    /// of all assemblies the one that is nearest to everything that is preferred.
+    /// Returns `None` if no measure is preferred, or if the pose is close enough to the preferred
+    /// measures. Otherwise returns the assembly that is nearest to all preferred values.
     pub(crate) fn nearer(
         &self,
         q: Option<&[f64]>,
@@ -92,7 +92,7 @@ impl System {
         self.far(q, t) <= CLOSE
     }
 
-    /// How far the worst of everything that is preferred is from its value.
+    /// Returns the distance of the worst preferred value.
     fn far(&self, q: &[f64], t: f64) -> f64 {
         let sizes = self.model().measure(q, t).sizes;
         let length = self

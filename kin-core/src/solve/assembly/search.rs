@@ -1,4 +1,4 @@
-//! The first pose of any mechanism: start after start, the same ones every time.
+//! Finds the first pose of any mechanism, start after start. The starts are the same in every run.
 
 use super::levenberg_marquardt::{Iterate, LevenbergMarquardt};
 use super::options::SearchOptions;
@@ -7,29 +7,29 @@ use crate::model::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::scaled::{Measures, Model};
 
-/// How firmly preferred coordinates are held, stage by stage, against rows of norm 1.   \[-\]
+/// The weights of preferred coordinates, stage by stage, for rows of norm 1. \[-\]
 const HOLDS: [f64; 3] = [1.0, 0.1, 0.0];
 
-/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical
+/// A preferred coordinate that ends this close is in the preferred assembly. \[rad, or typical
 /// lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 
-/// Where a search has ended, and how.
+/// The end of a search.
 #[derive(Clone, Debug)]
 pub(crate) struct Found {
     pub place: Iterate,
     pub measures: Measures,
-    /// True if C = 0 holds there, in the rows that were asked for.
+    /// True if C = 0 holds in the active rows.
     pub met: bool,
-    /// False only if [`search`] has found that the position is not as all constraints mean it.
+    /// False only if [`search`] found a position on the wrong branch of a constraint.
     pub meant: bool,
-    /// How many starts were tried.
+    /// The number of starts.
     pub starts: usize,
 }
 
-/// The pose nearest the guess that meets the active rows, in the preferred assembly if one is
-/// found; where no start leads to any, the place of the smallest gap. `None` where nothing is
-/// finite.
+/// Returns the pose nearest to the guess that satisfies the active rows, in the preferred assembly
+/// if one is found. If no start leads to a pose, returns the place of the smallest gap. Returns
+/// `None` if nothing is finite.
 pub(crate) fn search(
     model: Model<'_>,
     guess: &[f64],
@@ -62,7 +62,7 @@ pub(crate) fn search(
     best.map(|found| if found.met { found } else { Found { starts, ..found } })
 }
 
-/// The place found, with bodies turned over where it closes with an axis turned by 180°.
+/// Returns the given place, with bodies turned over if an axis is turned by 180°.
 fn right_way_up(
     model: Model<'_>,
     found: Found,
@@ -77,25 +77,25 @@ fn right_way_up(
         .unwrap_or(Found { meant: false, ..found })
 }
 
-/// A pose is better than none, one that is meant better than one that is not, the nearer to what is
-/// preferred the better; then the smaller gap.
+/// Returns true if a place is better. A pose is better than none, the right branch better than a
+/// wrong one, then the nearer to preferred values; then the smaller gap.
 fn better(model: &Model<'_>, new: &Found, known: &Found) -> bool {
     match (new.met, known.met) {
         (true, true) if new.meant != known.meant => new.meant,
         (true, true) => distance(model, new) < distance(model, known),
-        // Where nothing is met the guess is what the user thinks of: another place must be clearly
-        // better.
+        // If nothing is satisfied, the guess shows the user's intention, so another place must be
+        // clearly better.
         (false, false) => new.place.merit < 0.01 * known.place.merit,
         (new, _) => new,
     }
 }
 
-/// How far the worst preferred coordinate is from its value.
+/// Returns the distance of the worst preferred coordinate from its value.
 fn distance(model: &Model<'_>, found: &Found) -> f64 {
     super::distance(model.layout, model.preferred, &found.place.q, &found.measures.sizes)
 }
 
-/// Least squares from one start, measured anew where that has changed much.
+/// Minimises from one start. If the sizes change much, it measures them again.
 pub(crate) fn descend(
     model: Model<'_>,
     from: &[f64],
@@ -160,7 +160,7 @@ fn minimise(
     last
 }
 
-/// The guess; from the second start on with everything moved at random, more at later starts.
+/// Returns the guess, and from the second start on the guess with random changes that grow.
 pub(crate) fn start_from(
     model: &Model<'_>,
     guess: &[f64],

@@ -1,20 +1,20 @@
-//! Driven angles first: rows in which one angle alone is not known yet say where it stands.
+//! Sets driven angles first: a row in which only one angle is unknown determines this angle.
 
 use crate::model::units::Unit;
 use crate::system::scaled::Model;
 
-/// Angles that are off by less are left to the search.   \[rad\]
+/// Smaller differences of angles are left to the search. \[rad\]
 const TURN: f64 = 1.0;
 
-/// q with those angles set, one after the other, as their rows ask. Rows that are not linear in
-/// their angle are left alone.
+/// Returns q with those angles set, one after the other. Rows that are nonlinear in their angle are
+/// skipped.
 pub(crate) fn turned(
     model: &Model<'_>,
     q: &[f64],
     t: f64,
     active: &dyn Fn(usize) -> bool,
 ) -> Vec<f64> {
-    /// Rounds of rows that follow one another.
+    /// The largest number of rounds of rows that follow one another.
     const ROUNDS: usize = 64;
     let mut q = q.to_vec();
     let mut known = vec![false; q.len()];
@@ -43,7 +43,7 @@ fn residual(model: &Model<'_>, q: &[f64], t: f64, row: usize) -> f64 {
     model.linearize(q, t).map_or(f64::INFINITY, |point| point.c[row].abs())
 }
 
-/// Row, column and correction of each angle that one row determines by itself.
+/// Returns the row, column and correction of each angle that one row determines.
 fn asked(
     model: &Model<'_>,
     q: &[f64],

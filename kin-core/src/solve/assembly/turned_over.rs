@@ -1,5 +1,5 @@
-//! Joints that close the wrong way, with an axis turned by 180°: one of their bodies is turned
-//! over, and everything brought back onto C = 0.
+//! Mends joints on the wrong branch, with an axis turned by 180°: one of their bodies is turned
+//! over, and everything is moved back onto C = 0.
 
 use super::search::{Found, descend};
 use crate::model::coordinates::Target;
@@ -7,8 +7,8 @@ use crate::model::layout::Place;
 use crate::numbers::algebra::EulerParameters;
 use crate::system::scaled::Model;
 
-/// From a position that closes the wrong way somewhere to one that closes everywhere as it is
-/// meant; `None` where that is not found.
+/// Returns a position on the right branch everywhere, from a position on a wrong one, or `None` if
+/// it finds none.
 pub(crate) fn mended(
     model: Model<'_>,
     q: &[f64],
@@ -34,7 +34,7 @@ pub(crate) fn mended(
     None
 }
 
-/// The constraints that close the wrong way.
+/// Returns the constraints on the wrong branch.
 pub(crate) fn wrong(
     model: &Model<'_>,
     q: &[f64],
@@ -53,7 +53,7 @@ pub(crate) fn wrong(
     .collect()
 }
 
-/// True if one of these constraints closes the wrong way.
+/// Returns true if one of these constraints is on the wrong branch.
 pub(super) fn any(model: &Model<'_>, q: &[f64], t: f64, blocks: &[usize]) -> bool {
     if blocks.is_empty() {
         return false;
@@ -62,9 +62,9 @@ pub(super) fn any(model: &Model<'_>, q: &[f64], t: f64, blocks: &[usize]) -> boo
     blocks.iter().any(|block| model.equations.wrong_branch(*block, &instant).is_some())
 }
 
-/// A start of a search with bodies turned over until none of these constraints closes the wrong
-/// way, or no turn helps: Newton's steps as a rule keep the side on which they begin. Only what
-/// `may_turn` by its first coordinate is turned.
+/// Returns a start of a search with bodies turned over until none of these constraints is on the
+/// wrong branch, or no rotation helps. Newton's method usually keeps the side on which it begins.
+/// Only bodies that `may_turn` accepts, by their first coordinate, are rotated.
 pub(super) fn righted(
     model: &Model<'_>,
     mut q: Vec<f64>,
@@ -99,8 +99,8 @@ pub(super) fn righted(
     q
 }
 
-/// The pose with each body of a constraint turned over: a planar one by 180°, a spatial one by 180°
-/// about each axis of its frame, one of which is far from any axis that may be meant.
+/// Returns the pose with each body of a constraint turned over: a planar body by 180°, a spatial
+/// body by 180° about each axis of its frame. One of these axes is far from the intended axis.
 fn starts(
     model: &Model<'_>,
     q: &[f64],

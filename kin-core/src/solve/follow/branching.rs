@@ -1,11 +1,12 @@
-//! Bifurcations: where two curves of G(x) = C(q, t) = 0 cross, G_x has rank n − 1 and two tangents.
+//! Bifurcations: two curves of G(x) = C(q, t) = 0 cross, so G_x has rank n − 1 and there are two
+//! tangents.
 //!
-//! Along two directions that G_x takes to zero the curve is that of one equation f(ξ) = 0 in two
-//! unknowns (Lyapunov and Schmidt): f is what is left of G, in units of the row combination b that
-//! G_x cannot reach, when everything else is met. From B = [G_x b; Φᵀ 0], which is regular there,
-//! come f, its gradient and its Hessian, by terms of second order along two directions. f has a
-//! critical point; if it is zero there curves cross, along the two directions that the Hessian
-//! takes to zero. If it is not they come near one another and part again.
+//! G_x has two null directions. Along them the curve satisfies one equation f(ξ) = 0 in two
+//! unknowns (Lyapunov and Schmidt). f is the remaining residual of G when everything else is
+//! satisfied, in units of the combination b of rows that G_x cannot reach. The matrix B = [G_x b;
+//! Φᵀ 0] is regular there. It gives f, its gradient and its Hessian, by second-order terms along
+//! two directions. f has a critical point. If f is zero there, curves cross along the two null
+//! directions of the Hessian. If not, they approach each other and part again.
 
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
@@ -14,40 +15,40 @@ use crate::linear::Linear;
 use crate::model::motion::Branch;
 use crate::system::scaled::Model;
 
-/// Newton steps towards the critical point.
+/// The largest number of Newton steps towards the critical point.
 const ITERATIONS: usize = 30;
 
-/// The search ends where a step is below this.   \[-\]
+/// The search ends where a step is smaller than this. \[-\]
 const TOLERANCE: f64 = 1e-12;
 
-/// |f| at the critical point, by the curvature of f there, that is rounding: curves that part at a
-/// distance of 1e-6 are taken to cross.   \[-\]
+/// The |f| at the critical point, relative to the curvature of f, that counts as rounding. Curves
+/// that part at a distance of 1e-6 thus count as crossing. \[-\]
 const CROSSES: f64 = 1e-12;
 
-/// The branch that goes on does so within an angle of this cosine.   \[-\]
+/// The smooth continuation of a branch is within an angle of this cosine. \[-\]
 const SMOOTH: f64 = 0.8;
 
-/// dt/ds by the measures below which a branch is one on which the drivers stand still.   \[-\]
+/// dt/ds in scaled units below which the drivers rest on a branch. \[-\]
 const STANDS: f64 = 1e-7;
 
-/// Time counts by this share beside coordinates in how far curves part: it counts at all so that a
-/// driver at rest leaves a distance.   \[-\]
+/// The weight of time relative to coordinates in the distance of curves. It is not zero, so that a
+/// driver at rest has a distance. \[-\]
 const TIME: f64 = 1e-3;
 
-/// Half the step of a difference of second-order terms.   \[-\]
+/// Half of the step of a difference of second-order terms. \[-\]
 const DIFFERENCE: f64 = 1e-3;
 
 /// Two curves that cross.
 pub(super) struct Branching {
     pub x: Vec<f64>,
-    /// The tangent of the branch that goes on smoothly, then that of the other one; of length 1 by
-    /// the measures, time going on where it moves.
+    /// The tangents of the smooth continuation and of the other branch. They have length 1 in
+    /// scaled units, with increasing time if time moves.
     pub tangents: [Vec<f64>; 2],
-    /// Rates of these branches; none where the drivers stand still.
+    /// The velocities and accelerations of these branches; `None` if the drivers rest.
     pub rates: [Option<Branch>; 2],
 }
 
-/// Looks for a crossing between two places of a curve, `s` apart.
+/// Looks for a crossing between two places of a curve, at the distance `s`.
 pub(super) fn find(
     curve: &mut Curve<'_>,
     here: &CurvePoint,
@@ -60,7 +61,8 @@ pub(super) fn find(
     let x = middle.map(|((a, b), (da, db))| 0.5 * (a + b) + 0.125 * s * (da - db)).collect();
     let enough = TOLERANCE.max(curve.rounding(&here.x));
     let (x, hessian) = reduced.critical(x, 2.0 * s.abs(), enough)?;
-    // Time has no part in the verdict: its measure depends on where the walk along the curve began.
+    // Time has no part in the decision, because its scale depends on where the walk along the curve
+    // began.
     let rounding = curve.rounding(&x[..curve.model.n()]);
     if reduced.f.abs() > (CROSSES + rounding) * reduced.curvature(&hessian)
         || hessian.determinant() >= 0.0
@@ -79,13 +81,13 @@ pub(super) fn find(
     Some(Branching { x, tangents, rates })
 }
 
-/// The reduced equation at the last x that was looked at.
+/// The reduced equation at the last x.
 struct Reduced<'a> {
     model: Model<'a>,
     sizes: Vec<f64>,
     linear: Linear,
     b: Vec<f64>,
-    /// The directions Φ, by the measures.
+    /// The directions Φ, in scaled units.
     phi: [Vec<f64>; 2],
     f: f64,
     /// x′ along each direction.
@@ -93,7 +95,7 @@ struct Reduced<'a> {
 }
 
 impl<'a> Reduced<'a> {
-    /// The equation reduced by the null vectors of a place that is near.
+    /// Creates the equation, reduced by the null vectors of a nearby place.
     fn new(curve: &mut Curve<'a>, near: &CurvePoint) -> Self {
         let model = curve.model;
         let n = curve.model.n();
@@ -120,7 +122,7 @@ impl<'a> Reduced<'a> {
         Reduced { model, sizes, linear, b, phi, f: f64::INFINITY, v }
     }
 
-    /// B at x, factored; gives G.
+    /// Factors B at x and returns G.
     fn factor(&mut self, x: &[f64]) -> Option<Vec<f64>> {
         let (t, q) = x.split_last()?;
         let point = self.model.linearize(q, *t).ok()?;
@@ -131,7 +133,7 @@ impl<'a> Reduced<'a> {
         (self.linear.measure() && self.linear.factor()).then_some(point.c)
     }
 
-    /// B (y, m) = (r, e): y and m.
+    /// Solves B (y, m) = (r, e) and returns y and m.
     fn solve(&mut self, r: &[f64], e: [f64; 2]) -> (Vec<f64>, f64) {
         self.linear.rhs_mut().iter_mut().zip(r.iter().chain(&e)).for_each(|(place, x)| *place = *x);
         self.linear.solve();
@@ -140,15 +142,15 @@ impl<'a> Reduced<'a> {
         (y, m)
     }
 
-    /// −(G_x v)_x v at x.
+    /// Returns −(G_x v)_x v at x.
     fn second_order(&self, x: &[f64], v: &[f64]) -> Option<Vec<f64>> {
         let (t, q) = x.split_last()?;
         let (dt, dq) = v.split_last()?;
         self.model.second_order(q, *t, dq, *dt).ok()
     }
 
-    /// From x to the critical point of f, which must be within `reach`, by steps down to `enough`;
-    /// gives it and the Hessian there.
+    /// Moves from x to the critical point of f, which must be within `reach`, by steps down to
+    /// `enough`. Returns it with the Hessian.
     fn critical(
         &mut self,
         mut x: Vec<f64>,
@@ -184,7 +186,7 @@ impl<'a> Reduced<'a> {
         None
     }
 
-    /// f_ij, from terms of second order along v_i + v_j and v_i − v_j.
+    /// Returns f_ij from second-order terms along v_i + v_j and v_i − v_j.
     fn hessian(&mut self, x: &[f64]) -> Option<Matrix2<f64>> {
         let combine = |a: f64, b: f64| {
             self.v[0].iter().zip(&self.v[1]).map(|(v, w)| a * v + b * w).collect::<Vec<f64>>()
@@ -200,8 +202,8 @@ impl<'a> Reduced<'a> {
         Some(Matrix2::new(along[0], mixed, mixed, along[1]))
     }
 
-    /// The largest |f″| along a direction in which coordinates move by 1: the largest eigenvalue of
-    /// the Hessian by lengths of coordinates, whatever the directions that it is written in.
+    /// Returns the largest |f″| along a direction in which coordinates move by 1: the largest
+    /// eigenvalue of the Hessian relative to lengths of coordinates, for any choice of directions.
     fn curvature(&self, hessian: &Matrix2<f64>) -> f64 {
         let n = self.model.n();
         let gram = |a: &[f64], b: &[f64]| -> f64 {
@@ -226,8 +228,8 @@ impl<'a> Reduced<'a> {
         v.iter().zip(&self.sizes).map(|(v, size)| (v / size).powi(2)).sum::<f64>().sqrt()
     }
 
-    /// The two directions that an indefinite Hessian takes to zero: λ₁ a² + λ₂ b² = 0 along its
-    /// axes. Time goes on with `sign`.
+    /// Returns the two null directions of an indefinite Hessian: λ₁ a² + λ₂ b² = 0 along its axes.
+    /// Time moves with `sign`.
     fn tangents(&self, curve: &Curve<'_>, hessian: Matrix2<f64>, sign: f64) -> [Vec<f64>; 2] {
         let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(hessian);
         let size = eigenvalues.abs().map(f64::sqrt);
@@ -248,8 +250,8 @@ impl<'a> Reduced<'a> {
         })
     }
 
-    /// q̇ and q̈ on a branch at x: q̈ is determined but for what can move while the drivers stand
-    /// still, and that by the terms of third order.
+    /// Returns q̇ and q̈ on a branch at x. The terms of third order determine the part of q̈ that
+    /// can move while the drivers rest.
     fn rates(&mut self, curve: &Curve<'_>, x: &[f64], dx: &[f64]) -> Option<Branch> {
         let dt = *dx.last()?;
         let time = *curve.sizes.last()?;
@@ -283,8 +285,8 @@ impl<'a> Reduced<'a> {
         branch.qd.iter().chain(&branch.qdd).all(|x| x.is_finite()).then_some(branch)
     }
 
-    /// d³/dτ³ of G(x + τ v + ½ τ² w) at τ = 0, by central differences of its second derivative (G_x
-    /// v)_x v + G_x w, twice (Richardson).
+    /// Returns d³/dτ³ of G(x + τ v + ½ τ² w) at τ = 0, by central differences of its second
+    /// derivative (G_x v)_x v + G_x w, with Richardson extrapolation.
     fn third_order(&self, x: &[f64], v: &[f64], w: &[f64]) -> Option<Vec<f64>> {
         let unit = DIFFERENCE / self.length(v);
         let at = |tau: f64| {

@@ -1,13 +1,13 @@
-//! Test whether a step of time has stayed on its branch, by numbers that are at hand: q, q̇, q̈ at
-//! both ends, pivots and their signs.
+//! Tests whether a step of time has stayed on its branch, from existing numbers: q, q̇, q̈ at both
+//! ends, pivots and their signs.
 //!
-//! Two solutions that are near one another lie on either side of a singular position, so det C_q
-//! differs in sign between them; and where C_q has a pivot p, by the measures, no other solution is
-//! much nearer than p. So a step is good if no block of C_q has turned over and if q + h q̇ + ½ h²
-//! q̈ from either end meets the other end much nearer than p. Where that is not so, the terms of
-//! second order along the miss tell whether Newton's method from the prediction must end there (the
-//! estimate of Newton and Kantorovich): they see equations that are linear along it, as those of a
-//! chain are in its lengths.
+//! Two neighbouring solutions are on opposite sides of a singular position, so det C_q has opposite
+//! signs there. Near a C_q with a scaled pivot p, no other solution is much nearer than p. So a
+//! step is good under two conditions: no block of C_q has changed its sign, and q + h q̇ + ½ h² q̈
+//! from each end hits the other end with an error far below p. Otherwise second-order terms along
+//! the error decide whether Newton's method from the prediction must end at this solution (the
+//! estimate of Newton and Kantorovich). They recognise equations that are linear in this direction,
+//! such as those of a chain in its lengths.
 
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;
@@ -16,28 +16,28 @@ use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
-/// A prediction may miss by this share of the smallest pivot.   \[-\]
+/// The permitted error of a prediction, as a share of the smallest pivot. \[-\]
 pub(super) const EASY: f64 = 0.05;
 
-/// The estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| of the miss v, that is safe; ½
-/// would still do.   \[-\]
+/// The safe value of the estimate of Newton and Kantorovich, |C_q⁻¹ (C_q v)_q v| / |v| for the
+/// error v. The theorem allows ½. \[-\]
 pub(super) const SAFE: f64 = 0.25;
 
-/// The smallest pivot fades where it is less than this share of what it has been: a singular
-/// position may be near.   \[-\]
+/// If the smallest pivot falls below this share of its largest value, a singular position may be
+/// near. \[-\]
 const FADED: f64 = 0.5;
 
-/// No body turns by more than this in one step.   \[rad\]
+/// The largest rotation of a body in one step. \[rad\]
 pub(crate) const REACH: f64 = 1.0;
 
-/// True if a body turns further in a step than can be judged.
+/// Returns true if a body rotates too far in a step for the test.
 #[inline(always)]
 pub(crate) fn turns_too_far(reach: f64) -> bool {
     reach > REACH
 }
 
-/// True if the prediction from one end of a step misses the other by more than is sure to be one
-/// branch, of matrices whose smaller pivot is this; a miss that is not a number counts as one.
+/// Returns true if the error of the prediction from one end is too large for certainty about the
+/// branch; `pivot` is the smaller pivot of both ends. A NaN is too large.
 #[inline(always)]
 pub(crate) fn misses_too_far(miss: f64, pivot: f64) -> bool {
     let is_near = miss <= EASY * pivot;
@@ -47,19 +47,19 @@ pub(crate) fn misses_too_far(miss: f64, pivot: f64) -> bool {
 /// The reasons to reject a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Objection {
-    /// The step is too long to be judged.
+    /// The step is too long for the test.
     Long,
-    /// A prediction from one end is too far from the other, by so much in units of order 1, for
-    /// both to be surely on one branch.
+    /// The prediction from one end misses the other by this value in units of order 1, too far for
+    /// certainty.
     Missed(f64),
-    /// A block of C_q has turned over.
+    /// A block of C_q has changed its sign.
     TurnedOver,
-    /// Drives may lead further off within the step than its ends tell.
+    /// Drivers may lead further away within the step than its ends show.
     Hidden,
 }
 
 impl Objection {
-    /// The reason, unless shorter steps are known to help.
+    /// Returns the reason, unless shorter steps certainly help.
     pub(crate) fn of_branches(self) -> Option<&'static str> {
         match self {
             Objection::Missed(_) | Objection::TurnedOver => Some(self.reason()),
@@ -82,18 +82,18 @@ impl Objection {
 /// One end of a step: q, q̇, q̈.
 pub(crate) type End<'a> = [&'a Padded; 3];
 
-/// Data of the last position that was accepted, to judge the next step by.
+/// The data of the last accepted position, for the test of the next step.
 pub(crate) struct Check {
     negative: Vec<bool>,
     pivot: f64,
-    /// The largest that the smallest pivot has been.
+    /// The largest value of the smallest pivot.
     most: f64,
-    /// The same of the position in hand.
+    /// For each block whether its determinant is negative at the present position.
     now: Vec<bool>,
-    /// 1 for coordinates that turn, 0 for lengths.
+    /// 1 for coordinates that rotate, 0 for lengths.
     turns: Padded,
     miss: Padded,
-    /// The motion of the drives between the ends of a step; it does not matter where there is one
+    /// The motion of the drivers between the ends of a step. It does not matter if there is one
     /// position at each time.
     drive: Drive,
     explicit: bool,
@@ -117,45 +117,47 @@ impl Check {
         }
     }
 
-    /// Takes the position in hand as it is.
+    /// Accepts the present position without a test.
     pub(crate) fn accept(&mut self, newton: &Newton<'_>) {
         newton.linear.orientation(&mut self.negative);
         self.pivot = newton.linear.smallest_pivot();
         self.most = self.most.max(self.pivot);
     }
 
-    /// True if the ends of a step tell all that time does in between.
+    /// Returns true if the ends of a step show everything that time does in between.
     ///
-    /// Inlined, for a call at each time of a program would be 3 % of a small mechanism's run.
+    /// The function is inlined, because a call at each time of a program would cost 3 % of a small
+    /// mechanism's run.
     #[inline(always)]
     pub(crate) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.explicit || self.drive.ends_suffice(from, to, pivot)
     }
 
-    /// True if what has no bounds may be sampled before the next plain step looks at it.
+    /// Returns true if equations without bounds may be sampled before the next single step examines
+    /// them.
     pub(crate) fn may_sample(&self) -> bool {
         self.drive.may_sample()
     }
 
-    /// True if, by samples of what has no bounds, the step surely holds nothing that its ends do
-    /// not tell; the instant is that of its end.
+    /// Returns true if samples of equations without bounds show that the step contains nothing
+    /// hidden. The instant is that of its end.
     pub(crate) fn samples_suffice(&mut self, span: Span<'_>, instant: &Instant) -> bool {
         self.drive.samples_suffice(span, instant)
     }
 
-    /// Positions were accepted elsewhere, on the same sides of all singular ones; the smallest
-    /// pivot of the last one is this.
+    /// Records that the compiled program accepted positions on the same sides of all singular ones.
+    /// `pivot` is the smallest pivot of the last one.
     pub(crate) fn go_on(&mut self, pivot: f64) {
         self.pivot = pivot;
     }
 
-    /// The position in hand is singular: the next step is judged by its other end alone.
+    /// Marks the present position as singular: only the other end of the next step counts.
     pub(crate) fn leave_open(&mut self) {
         self.negative.clear();
         self.pivot = f64::INFINITY;
     }
 
-    /// Judges the step h from one end to the position in hand, and accepts that if there is no
+    /// Tests the step h from one end to the present position, and accepts it if there is no
     /// objection.
     #[inline(always)]
     pub(crate) fn judge(
@@ -189,7 +191,7 @@ impl Check {
         Ok(())
     }
 
-    /// True if something may happen between two times that their positions do not tell.
+    /// Returns true if something may happen between two times that their positions do not show.
     #[cold]
     fn hides(&mut self, newton: &mut Newton<'_>, from: f64, to: f64, pivot: f64) -> bool {
         let equations = newton.system.equations();
@@ -199,8 +201,8 @@ impl Check {
         )
     }
 
-    /// The estimate of Newton and Kantorovich at the position in hand, along the miss of the
-    /// prediction; larger by as much as `miss`, which is that from either end, is larger.
+    /// Returns the estimate of Newton and Kantorovich at the present position along the error of
+    /// the prediction, scaled up by `miss`, the larger error of both ends.
     fn is_safe(
         &mut self,
         newton: &mut Newton<'_>,
@@ -221,9 +223,9 @@ impl Check {
     }
 }
 
-/// True if C_q may be singular within factor · v of the present position: at either end of that a
-/// block has another sign, or the smallest pivot is less than half of its value here. Along a
-/// branch that is passed smoothly a change point shows in nothing else.
+/// Returns true if C_q may be singular within factor · v of the present position: at either end a
+/// block has another sign, or the smallest pivot is less than half of its present value. A change
+/// point that is passed smoothly along a branch shows in nothing else.
 #[cold]
 fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &[bool]) -> bool {
     let t = newton.instant.t();
@@ -247,7 +249,7 @@ fn is_singular_near(newton: &mut Newton<'_>, v: &[f64], factor: f64, negative: &
     is_singular || !restored
 }
 
-/// The matrix in hand as a lever.
+/// The present matrix as a lever.
 struct Factored<'f, 'a> {
     newton: &'f mut Newton<'a>,
     v: &'f mut Padded,

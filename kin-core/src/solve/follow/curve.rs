@@ -1,39 +1,39 @@
-//! The curve of solutions through x = (q, t), by its arc length s: regular where C_q is not, as
-//! long as [C_q C_t] has full rank.
+//! The curve of solutions through x = (q, t) by its arc length s. It is regular where C_q is not,
+//! as long as [C_q C_t] has full rank.
 //!
-//! [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with G(x) = C(q, t);
-//! lengths and time are measured by the sizes of the coordinates and by the time in which the
-//! drivers move something of order 1. (H. B. Keller's pseudo-arclength.)
+//! The equations are [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with
+//! G(x) = C(q, t). Lengths are in units of the sizes of the coordinates. Time is in units of the
+//! time in which the drivers move something of order 1. (H. B. Keller's pseudo-arclength.)
 
 use crate::linear::Linear;
 use crate::system::System;
 use crate::system::scaled::Model;
 
-/// Newton steps of one correction.
+/// The largest number of Newton steps of one correction.
 const ITERATIONS: usize = 12;
 
-/// A correction below this is at its end, and one below the second that no longer shrinks is
-/// rounding.   \[-\]
+/// The iteration ends at a correction below the first value. A correction below the second value
+/// that no longer shrinks is rounding. \[-\]
 const TOLERANCE: f64 = 1e-13;
 const ROUNDING: f64 = 1e-9;
 
-/// Where the second correction is about half of the first one, so is each at a singular place;
-/// rounding shrinks by less than this.   \[-\]
+/// At a singular place each correction is about half of the one before; rounding shrinks by less
+/// than this factor. \[-\]
 const STILL: f64 = 0.6;
 
-/// Pivots below this make no more of rounding than this one does.   \[-\]
+/// Smaller pivots count as this one in the estimate of rounding. \[-\]
 const SMALLEST: f64 = 1e-3;
 
-/// A prediction may be off by this share of its step, the second correction may be this share of
-/// the first, and the tangent may turn by an angle of this cosine.   \[-\]
+/// The permitted error of a prediction as a share of its step, the permitted ratio of the second
+/// correction to the first, and the cosine of the permitted rotation of the tangent. \[-\]
 const OFF: f64 = 0.05;
 const SHRINKS: f64 = 0.2;
 const STRAIGHT: f64 = 0.97;
 
-/// The curve, and the means to go along it.
+/// The curve, with workspace buffers.
 pub(super) struct Curve<'a> {
     pub model: Model<'a>,
-    /// s_j of each coordinate, and the measure of time.
+    /// s_j of each coordinate, and the scale of time.
     pub sizes: Vec<f64>,
     pub linear: Linear,
     /// The solver for C_q alone.
@@ -43,9 +43,9 @@ pub(super) struct Curve<'a> {
 /// A place on the curve.
 #[derive(Clone, Debug)]
 pub(super) struct CurvePoint {
-    /// (q, t)
+    /// The point (q, t).
     pub x: Vec<f64>,
-    /// The tangent x′, of length 1 by the measures.
+    /// The tangent x′, of length 1 in scaled units.
     pub dx: Vec<f64>,
     pub ddx: Vec<f64>,
     /// True if det [C_q C_t; x′ᵀ] is negative.
@@ -60,12 +60,12 @@ impl CurvePoint {
         self.x.last().copied().unwrap_or_default()
     }
 
-    /// dt/ds, by the measure of time or not.
+    /// Returns dt/ds.
     pub(super) fn dt(&self) -> f64 {
         self.dx.last().copied().unwrap_or_default()
     }
 
-    /// q̇ = q′/t′ and q̈ = (q″ − q̇ t″)/t′²
+    /// Returns q̇ = q′/t′ and q̈ = (q″ − q̇ t″)/t′².
     pub(super) fn rates(&self) -> [Vec<f64>; 2] {
         let dt = self.dt();
         let ddt = self.ddx.last().copied().unwrap_or_default();
@@ -75,7 +75,7 @@ impl CurvePoint {
         [qd, qdd]
     }
 
-    /// x + s x′ + ½ s² x″
+    /// Returns x + s x′ + ½ s² x″.
     pub(super) fn ahead(&self, s: f64) -> Vec<f64> {
         self.x
             .iter()
@@ -87,7 +87,7 @@ impl CurvePoint {
 }
 
 impl<'a> Curve<'a> {
-    /// The curve of a system with as many equations as coordinates.
+    /// Creates the curve of a system with as many equations as coordinates.
     pub(super) fn new(system: &'a System, sizes: &[f64], time: f64) -> Self {
         let model = system.model();
         let mut own = system.linear();
@@ -105,7 +105,7 @@ impl<'a> Curve<'a> {
         Curve { model, sizes, linear, own }
     }
 
-    /// The place at x, which is on the curve, with a tangent on the side of `along`.
+    /// Returns the place at x, which is on the curve, with a tangent on the side of `along`.
     pub(super) fn place(&mut self, x: Vec<f64>, along: &[f64]) -> Option<CurvePoint> {
         self.factor(&x, along)?;
         let mut dx = self.solve(std::iter::repeat_n(0.0, self.model.n()).chain([1.0]));
@@ -122,20 +122,21 @@ impl<'a> Curve<'a> {
         finite.then_some(CurvePoint { x, dx, ddx, negative, blocks })
     }
 
-    /// One step of length s, if the curve is surely followed by it.
+    /// Makes one step of length s, if it certainly follows the curve.
     pub(super) fn step(&mut self, here: &CurvePoint, s: f64) -> Option<CurvePoint> {
         let (place, off) = self.at(here, s)?;
         (off <= OFF * s.abs() && self.dot(&place.dx, &here.dx) >= STRAIGHT).then_some(place)
     }
 
-    /// The place a step s further on, and by how much the prediction was off.
+    /// Returns the place a step s further on, and the error of the prediction.
     pub(super) fn at(&mut self, here: &CurvePoint, s: f64) -> Option<(CurvePoint, f64)> {
         let mut x = here.ahead(s);
         let off = self.correct(&mut x, &here.dx)?;
         Some((self.place(x, &here.dx)?, off))
     }
 
-    /// Newton's steps across the direction `border`; gives the length of the first one.
+    /// Corrects x by Newton's steps across the direction `border`, and returns the length of the
+    /// first step.
     pub(super) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
         let mut first = 0.0;
         let mut previous = f64::INFINITY;
@@ -148,14 +149,14 @@ impl<'a> Curve<'a> {
             if k == 0 {
                 first = size;
             }
-            // A small pivot makes much of rounding far from the origin.
+            // A small pivot magnifies rounding far from the origin.
             let allowed =
                 ROUNDING.max(rounding / self.linear.smallest_pivot().clamp(SMALLEST, 1.0));
-            // A size that is not a number does not count as smaller.
+            // A size that is NaN does not count as smaller.
             let mut shrinks = size < if k == 1 { SHRINKS * previous } else { previous };
             if k == 1 && !shrinks && size <= 0.5 * previous && size <= allowed {
-                // Rounding, which then stands still, or a singular place, where all steps are
-                // halves.
+                // Either rounding, which does not shrink, or a singular place, where each step is
+                // half of the one before.
                 (shrinks, still) = (true, STILL);
             }
             let settled = (size <= TOLERANCE && still < STILL)
@@ -172,7 +173,7 @@ impl<'a> Curve<'a> {
         None
     }
 
-    /// [C_q C_t; borderᵀ] at x, factored; gives C.
+    /// Factors [C_q C_t; borderᵀ] at x and returns C.
     fn factor(&mut self, x: &[f64], border: &[f64]) -> Option<Vec<f64>> {
         let (t, q) = x.split_last()?;
         let point = self.model.linearize(q, *t).ok()?;
@@ -183,7 +184,7 @@ impl<'a> Curve<'a> {
         (self.linear.measure() && self.linear.factor()).then_some(point.c)
     }
 
-    /// The signs of C_q's blocks and its smallest pivot, at the x that was factored last.
+    /// Returns the signs of C_q's blocks and its smallest pivot at the x that was factored last.
     fn blocks(&mut self) -> Option<(Vec<bool>, f64)> {
         let values = self.own.values().len();
         self.own.values_mut().copy_from_slice(&self.linear.values()[..values]);
@@ -201,14 +202,14 @@ impl<'a> Curve<'a> {
         self.linear.solution().to_vec()
     }
 
-    /// The error of a place by rounding of x, in units of the measures: far from the origin it is
-    /// large.
+    /// Returns the error of a place from rounding of x in scaled units. It is large far from the
+    /// origin.
     pub(super) fn rounding(&self, x: &[f64]) -> f64 {
         let shares = x.iter().zip(&self.sizes).map(|(x, size)| (x / size).abs());
         64.0 * f64::EPSILON * shares.fold(1.0, f64::max)
     }
 
-    /// The product of two directions by the measures.
+    /// Returns the product of two directions in scaled units.
     pub(super) fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
         a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size)).sum()
     }

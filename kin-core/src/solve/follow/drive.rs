@@ -1,17 +1,19 @@
-//! Test whether the ends of a step tell all that time does in between: a motor may go out and come
-//! back within it.
+//! Tests whether the ends of a step show everything that time does in between: a motor may go out
+//! and return within the step.
 //!
-//! Time enters an equation by signals, functions w(t) that do not depend on q: laws of time, sin ω
-//! t, what is made of them. Over a step h a signal is off its polynomial of second degree at either
-//! end by no more than ⅙ h³ max |w‴|, or by ½ h² times the width of w″ where that jumps. Bounds of
-//! these come from the steps of the equation and from the laws in it
-//! ([`crate::extend::LawFunction::over`]), over stretches of many steps. Where the position is led
-//! off by no more than a prediction may miss, there is nothing that the ends do not tell.
+//! Time enters an equation through signals, functions w(t) that do not depend on q: laws of time,
+//! sin ω t, and combinations of them. Over a step h a signal differs from its quadratic polynomial
+//! at either end by at most ⅙ h³ max |w‴|, or by ½ h² times the range of w″ if w″ jumps. Bounds of
+//! these come from the formula of the equation and from its laws
+//! ([`crate::extend::LawFunction::over`]), over stretches of many steps. If the signals cannot move
+//! the position further than the permitted error of a prediction, the step hides nothing.
 //!
-//! Constraints of which no bounds are known (laws of one's own without any, the dual route, written
-//! by hand) are sampled: C with q held, at the eighths of the step.
+//! Constraints without known bounds (user-defined laws without bounds, the dual route, hand-written
+//! constraints) are sampled: C at constant q, at the eighths of the step.
 //!
-//! A signal that turns round within the step leaves the range between its ends too, and that may be
+//! A signal that changes direction within the step leaves the range between its ends. That may lead
+//! beyond a change point that is passed smoothly in both directions, and neither end shows it. So
+//! the signal may leave that range by no more than the permitted error of a prediction.
 //! beyond a change point that is passed smoothly there and back: neither end tells it. So that
 //! range, too, may be left by no more than a prediction may miss.
 
@@ -28,37 +30,37 @@ use crate::model::formula::time as held;
 use crate::numbers::enclosure::{Interval, ONE, Series};
 use crate::system::evaluate::{Equations, Instant};
 
-/// Steps for which it is taken as known how far a signal moves q, and how often that is looked at
-/// before bounds are, where they depend on q.
+/// The number of steps for which the effect of a signal on q counts as known, and the number of
+/// such checks before bounds that depend on q are computed again.
 const KNOWN: u32 = 64;
 const LOOKS: u32 = 4;
 
-/// Where that was looked at earlier q may have become easier to move by this factor, beside what
-/// the smallest pivot tells.   \[-\]
+/// The factor by which q may have become easier to move since the last check, in addition to the
+/// change of the smallest pivot. \[-\]
 const DRIFT: f64 = 2.0;
 
-/// Farther away than this the equations are not tested for being straight.   \[-\]
+/// Beyond this distance the equations are not tested for straightness. \[-\]
 const FARTHEST: f64 = 1e3;
 
-/// Coefficients of Taylor's formula that are asked for.
+/// The number of coefficients of Taylor's formula.
 const COEFFICIENTS: usize = 4;
 
-/// How a position is moved by what its equations are off.
+/// Computes how residuals of the equations move the position.
 pub(crate) trait Lever {
-    /// The position at the end of the step.
+    /// Returns the instant of the position at the end of the step.
     fn instant(&self) -> &Instant;
 
-    /// max_j |v_j| / s_j of C_q v = b, the right side being zero but for the rows from `first` on.
+    /// Returns max_j |v_j| / s_j of C_q v = b. The right side is zero except for the rows from
+    /// `first` on.
     fn moved(&mut self, first: usize, b: &[f64]) -> f64;
 
-    /// max_j |C_q⁻¹ (C_q v)_q v|_j / s_j of the v that was moved last; infinite where it is not
-    /// known.
+    /// Returns max_j |C_q⁻¹ (C_q v)_q v|_j / s_j for the last v, or infinity if it is unknown.
     fn bend(&mut self) -> f64;
 
-    /// max_j |v_j| of the angles among them.
+    /// Returns max_j |v_j| of the angles in the last v.
     fn turned(&self) -> f64;
 
-    /// True if C_q may be singular within that multiple of the v that was moved last.
+    /// Returns true if C_q may be singular within this multiple of the last v.
     fn is_singular_within(&mut self, factor: f64) -> bool;
 }
 
@@ -72,65 +74,67 @@ pub(crate) struct Span<'a> {
     pub pivot: f64,
 }
 
-/// All that time does to a system.
+/// The functions of time of a system.
 #[derive(Clone)]
 pub(crate) struct Drive {
     sources: Vec<Source>,
-    /// True if the ends of any step tell everything.
+    /// True if the ends of any step show everything.
     ends_suffice: bool,
-    /// Bounds hold between these times, and of the next ones for as long.
+    /// Bounds hold between these times; the next bounds are computed for a stretch of the same
+    /// length.
     stretch: [f64; 2],
     longest: f64,
-    /// How far q may be led off by signals with bounds, as a polynomial in the length of a step;
-    /// the smallest pivot when it was looked at.
+    /// The bound of the displacement of q by signals, as a polynomial in the length of a step, and
+    /// the smallest pivot at that time.
     off: Bound,
     pivot: f64,
-    /// Steps that need no look, and looks that need no bounds.
+    /// The number of steps that need no check, and of checks that need no new bounds.
     steps: u32,
     looks: u32,
-    /// Steps that may be told by samples, without a look at how far these move q.
+    /// The number of steps that samples may decide without computing their effect on q.
     samples: u32,
-    /// Where samples are taken.
+    /// The instant for samples.
     scratch: Option<Instant>,
 }
 
-/// A constraint that time moves.
+/// A constraint that depends on time.
 #[derive(Clone)]
 struct Source {
     block: usize,
-    /// The nodes of its formula by which time enters; none where it is sampled.
+    /// The nodes of its formula through which time enters; `None` if it is sampled.
     signals: Option<Arc<[Node]>>,
-    /// True if C_q does not depend on time: bounds and slopes are the same for every q then.
+    /// True if C_q does not depend on time: then bounds and slopes are equal for every q.
     apart: bool,
     is_sampled: bool,
     terms: Vec<Term>,
 }
 
-/// A signal, or a row that is sampled, and what it does.
+/// A signal, or a sampled row, and its effect.
 #[derive(Clone)]
 struct Term {
-    /// How the rows of the constraint follow it.
+    /// The slopes of the rows of the constraint by the signal.
     slopes: Vec<f64>,
     bound: Bound,
-    /// max_j |dq_j| / s_j of a unit of it; not a number until it is asked for.
+    /// max_j |dq_j| / s_j for one unit of the signal; NaN until it is needed.
     lever: f64,
 }
 
-/// e_0 + e_1 h + e_2 h² + e_3 h³
+/// The bound e_0 + e_1 h + e_2 h² + e_3 h³.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 struct Bound([f64; COEFFICIENTS]);
 
 impl Bound {
-    /// Of a function of time about its polynomials of second degree; `None` where it is not known.
+    /// Bounds the distance of a function of time from its quadratic polynomials. Returns `None` if
+    /// it is unknown.
     fn of(y: &Series) -> Option<Self> {
         let mut bound = Bound::default();
         let last = y.len().min(COEFFICIENTS).checked_sub(1)?;
         let c = y.at(last);
-        // Up to the third degree Taylor's formula, and where a coefficient before it jumps by how
-        // much.
+        // Taylor's formula up to the third degree. If an earlier coefficient jumps, its range
+        // counts.
         bound.0[last] = if last == 3 { c.mag() } else { 2.0 * c.radius() };
-        // Where it may turn round within the step, by how much it may leave what lies between both
-        // ends.
+        // If the function may change direction within the step, the distance by which it may leave
+        // the range between both ends.
         match last {
             2 | 3 if y.at(1).contains(0.0) => bound.0[2] += 0.25 * y.at(2).mag(),
             1 if y.at(1).contains(0.0) => bound.0[1] += 0.5 * y.at(1).mag(),
@@ -156,7 +160,7 @@ impl Bound {
 
 impl Drive {
     pub(crate) fn new(equations: &Equations) -> Self {
-        // Constraints of one kind share their table, and so where time enters.
+        // Constraints of one kind share their formula, so time enters them in the same places.
         let mut known: HashMap<*const Table, Arc<[Node]>> = HashMap::new();
         let mut source = |block: usize| {
             let constraint = equations.blocks[block].constraint.as_ref();
@@ -195,7 +199,7 @@ impl Drive {
         }
     }
 
-    /// True if, by what was seen before, the step surely holds nothing that its ends do not tell.
+    /// Returns true if earlier checks show that the step certainly hides nothing.
     #[inline]
     pub(crate) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         if self.ends_suffice {
@@ -210,8 +214,8 @@ impl Drive {
         self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
     }
 
-    /// True if the position may be led off unseen, too far to be sure of the step: this is found
-    /// out by all means, at their full cost.
+    /// Returns true if the position may be led away unseen, too far for certainty. This uses all
+    /// methods at their full cost.
     #[cold]
     pub(crate) fn hides(
         &mut self,
@@ -219,12 +223,12 @@ impl Drive {
         lever: &mut dyn Lever,
     ) -> bool {
         let h = (to - from).abs();
-        // However often it is weighed, the position is the same.
+        // The position is the same at every computation.
         self.sources
             .iter_mut()
             .flat_map(|source| &mut source.terms)
             .for_each(|term| term.lever = f64::NAN);
-        // By the bounds that are known, by those over a longer stretch, by those over the step
+        // First the known bounds, then bounds over a longer stretch, then bounds over the step
         // alone.
         for reach in [None, Some(self.longest.max(h)), Some(h)] {
             let known = match reach {
@@ -242,8 +246,7 @@ impl Drive {
             self.looks = self.looks.saturating_sub(1);
             self.sample(equations, lever.instant(), [from, to]);
             self.weigh(equations, lever);
-            // A bound over more than the step is of use if later steps are told by it, without a
-            // look.
+            // A bound over more than the step is useful if it decides later steps without a check.
             let room = if reach == Some(h) { 1.0 } else { DRIFT };
             if room * self.off.at(h) <= EASY * pivot {
                 self.rely(pivot, reach);
@@ -270,8 +273,8 @@ impl Drive {
         }
     }
 
-    /// Bounds over a stretch of time; false where some are not known. Over a single step
-    /// constraints without bounds are sampled.
+    /// Computes bounds over a stretch of time. Returns false if some are unknown. Over a single
+    /// step it samples constraints without bounds.
     fn bound(
         &mut self,
         equations: &Equations,
@@ -291,7 +294,7 @@ impl Drive {
         true
     }
 
-    /// How far all of it may lead q off.
+    /// Computes how far all signals may move q.
     fn weigh(&mut self, equations: &Equations, lever: &mut dyn Lever) {
         self.off = Bound::default();
         for source in &mut self.sources {
@@ -305,8 +308,8 @@ impl Drive {
         }
     }
 
-    /// True if the equations are nearly straight along each of the signals, as far as it may have
-    /// led: then it does not matter where it was.
+    /// Returns true if the equations are nearly straight along each of the signals, over its
+    /// possible range. Then the position of the signal does not matter.
     fn is_straight(&self, equations: &Equations, h: f64, lever: &mut dyn Lever) -> bool {
         let all = self
             .sources
@@ -325,7 +328,7 @@ impl Drive {
 }
 
 impl Source {
-    /// Bounds of its signals over a stretch of time, if all are known.
+    /// Returns bounds of its signals over a stretch of time, if all are known.
     fn bounds(&self, equations: &Equations, t: Series) -> Option<Vec<Bound>> {
         let signals = self.signals.as_ref()?;
         let bounds =
@@ -336,7 +339,7 @@ impl Source {
         bounds.flatten()
     }
 
-    /// Takes bounds of its signals; without any its rows are sampled.
+    /// Stores bounds of its signals; without bounds its rows are sampled.
     fn take(&mut self, equations: &Equations, instant: &Instant, bounds: Option<Vec<Bound>>) {
         let still = bounds
             .as_ref()
@@ -364,7 +367,7 @@ impl Source {
             .for_each(|(term, bound)| term.bound = bound);
     }
 
-    /// How its rows follow each of its signals, if that is known.
+    /// Returns the slopes of its rows by each of its signals, if they are known.
     fn slopes(&self, equations: &Equations, instant: &Instant) -> Option<Vec<Vec<f64>>> {
         let block = &equations.blocks[self.block];
         let signals = self.signals.as_deref()?;

@@ -1,12 +1,12 @@
-//! Following the motion: a sweep stays on its branch, or says that it cannot.
+//! Follows the motion: a run stays on its branch, or reports that it cannot.
 //!
-//! Solutions of C(q, t) = 0 form curves; two of them come close, or meet, only at singular
-//! positions. Each step of time is judged by what is at hand ([`check`]), and by what drives can do
-//! in between ([`drive`]). A step that is objected to is taken in halves. Where short steps help no
-//! more there is a singular position, or nearly one, and the curve itself is followed by its arc
-//! length through (q, t) ([`curve`]), on which it is regular where time turns round: [`turning`]
-//! finds that place. Where two curves cross, [`branching`] finds both tangents; [`passage`] puts
-//! all of this together.
+//! Solutions of C(q, t) = 0 form curves. Two curves approach each other, or meet, only at singular
+//! positions. Kin tests each step of time with existing numbers ([`check`]) and with bounds of what
+//! drivers can do in between ([`drive`]). It halves a step that fails the test. If short steps no
+//! longer help, there is a singular position, or nearly one. Kin then follows the curve by its arc
+//! length through (q, t) ([`curve`]), where it is regular even if time turns round. [`turning`]
+//! finds that place. Where two curves cross, [`branching`] finds both tangents. [`passage`]
+//! combines these parts.
 
 mod branching;
 mod check;

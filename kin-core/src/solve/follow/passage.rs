@@ -1,5 +1,5 @@
-//! Passing a stretch on which time cannot be the parameter: along the curve, until the time that is
-//! asked for.
+//! Passes a stretch on which time cannot be the parameter: follows the curve up to the requested
+//! time.
 
 use super::branching::{self, Branching};
 use super::curve::{Curve, CurvePoint};
@@ -8,50 +8,50 @@ use super::turning;
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;
 
-/// Steps along the curve.
+/// The largest number of steps along the curve.
 const STEPS: usize = 4000;
 
-/// The first step along the curve, the longest and the shortest.   \[-\]
+/// The first step along the curve, the longest and the shortest. \[-\]
 const FIRST: f64 = 0.01;
 const LONGEST: f64 = 0.1;
 const SHORTEST: f64 = 1e-8;
 
-/// Loops that turn over within a step of this length do so at once.   \[-\]
+/// Loops that turn over within a step of this length do so at once. \[-\]
 const TOGETHER: f64 = 1e-4;
 
-/// Times that differ by this share of the measure of time are one.   \[-\]
+/// Times that differ by less than this share of the scale of time are equal. \[-\]
 const AT_ONCE: f64 = 1e-7;
 
-/// So near to a toggle, by the measure of time, q is known to fewer than half of its digits: the
-/// run has come to it.   \[-\]
+/// Closer to a toggle than this, in the scale of time, q has fewer than half of its digits: the run
+/// has reached the toggle. \[-\]
 const AT_END: f64 = 1e-12;
 
-/// Where a passage ends.
+/// The end of a passage.
 pub(crate) enum Landed {
-    /// At a position near which C_q is regular.
+    /// A position near which C_q is regular.
     Regular(Vec<f64>),
-    /// In a bifurcation, with q, q̇ and q̈ on the branch that is taken.
+    /// A bifurcation, with q, and q̇ and q̈ on the selected branch.
     Singular(Vec<f64>, Branch),
 }
 
-/// Result of a passage.
+/// The result of a passage.
 pub(crate) struct Passage {
     pub landed: Landed,
     pub passed: Vec<SingularPosition>,
 }
 
-/// Why there is no passage.
+/// The reason why there is no passage.
 pub(crate) enum Lost {
-    /// Time turns round before the time asked for.
+    /// Time turns round before the requested time.
     Turned(Box<SingularPosition>),
-    /// The curve cannot be followed.
+    /// Kin cannot follow the curve.
     Lost,
 }
 
-/// From the position q at time t, with the rates in hand, to the time `to`. `other` tells of each
-/// bifurcation, counted from 0, whether to turn into the other branch there.
+/// Passes from the position q at time t, with the present velocities, to the time `to`. `other`
+/// says for each bifurcation, counted from 0, whether to take the other branch.
 ///
-/// Gives how many steps along the curve were tried, too.
+/// Also returns the number of attempted steps along the curve.
 pub(crate) fn pass(
     newton: &Newton<'_>,
     q: &[f64],
@@ -78,7 +78,7 @@ struct Walk<'w, 'a> {
     passed: Vec<SingularPosition>,
 }
 
-/// Result of one step along the curve.
+/// The result of one step along the curve.
 enum Stepped {
     On(CurvePoint),
     Landed(Landed),
@@ -126,13 +126,13 @@ impl<'w, 'a> Walk<'w, 'a> {
         Err(Lost::Lost)
     }
 
-    /// The result of a step; `None` where it must be shorter.
+    /// Returns the result of a step, or `None` if the step must be shorter.
     fn judge(&mut self, next: CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         let turns = self.sign * next.dt() <= 0.0;
         let together = turns && self.turned_over(&next) > 1;
         if next.negative != self.here.negative {
             match branching::find(&mut self.curve, &self.here, &next, s, self.sign) {
-                // Branches on all of which time turns round.
+                // Time turns round on all branches.
                 Some(found) if turns && found.rates.iter().all(Option::is_none) => {
                     return self.turn_together(&next, s);
                 }
@@ -158,14 +158,14 @@ impl<'w, 'a> Walk<'w, 'a> {
             && before != after
             && before.len() == after.len()
         {
-            // The pivot that vanishes on the way does so with a slope.
+            // The pivot that vanishes on the way changes linearly.
             let at = s * from / (from + to);
             return Ok(if s > self.together() { None } else { self.cross_together(next, s, at) });
         }
         Ok(self.go_on(next, s, None))
     }
 
-    /// How many blocks of C_q turn over on the way to a place.
+    /// Returns the number of blocks of C_q that change their sign on the way to a place.
     fn turned_over(&self, next: &CurvePoint) -> usize {
         let (Some((before, _)), Some((after, _))) = (&self.here.blocks, &next.blocks) else {
             return 0;
@@ -173,8 +173,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         before.iter().zip(after).filter(|(before, after)| before != after).count()
     }
 
-    /// Time turns round for several loops at once, a place at which the curve is singular: it is
-    /// found between places on either side.
+    /// Handles several loops whose time turns round at once. The curve is singular there; the place
+    /// is found between places on both sides.
     fn turn_together(&self, next: &CurvePoint, s: f64) -> Result<Option<Stepped>, Lost> {
         if s > self.together() {
             return Ok(None);
@@ -186,8 +186,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         Ok(None)
     }
 
-    /// The length of a step within which loops turn over at once: shorter ones lose themselves in
-    /// rounding where the origin is far.
+    /// Returns the length of a step within which loops turn over at once. If the origin is far,
+    /// shorter steps vanish in rounding.
     fn together(&self) -> f64 {
         TOGETHER.max(self.curve.rounding(&self.here.x).cbrt())
     }
@@ -196,8 +196,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         Lost::Turned(Box::new(self.singular_position(SingularKind::TurningPoint, x, Vec::new())))
     }
 
-    /// Past a position, if there is one on the way; a step that has to be shorter comes there once
-    /// more.
+    /// Continues past a position, if there is one on the way. A step that must be shorter comes
+    /// there again.
     fn go_on(
         &mut self,
         next: CurvePoint,
@@ -210,8 +210,8 @@ impl<'w, 'a> Walk<'w, 'a> {
         Some(stepped)
     }
 
-    /// Several loops turn over in a short step, an even number of them: none is told apart from the
-    /// others, and all go on smoothly.
+    /// Handles an even number of loops that turn over in a short step: they cannot be
+    /// distinguished, and all continue smoothly.
     fn cross_together(&mut self, next: CurvePoint, s: f64, at: f64) -> Option<Stepped> {
         let x = self.here.ahead(at);
         let between = |a: Vec<f64>, b: Vec<f64>| {
@@ -231,13 +231,14 @@ impl<'w, 'a> Walk<'w, 'a> {
         self.go_on(next, s, passed)
     }
 
-    /// How long before the time asked for, by the measure of time; at it where that is rounding.
+    /// Returns the remaining time before the requested time, in the scale of time. Within rounding
+    /// it is zero.
     fn before(&self, t: f64) -> f64 {
         let left = self.sign * (self.to - t) / self.time;
         if left.abs() <= 8.0 * f64::EPSILON * (self.to / self.time).abs() { 0.0 } else { left }
     }
 
-    /// The step leads to the time asked for, or beyond.
+    /// Handles a step that leads to the requested time, or beyond.
     fn land(&mut self, next: &CurvePoint, s: f64) -> Option<Stepped> {
         let place = if self.before(next.t()) == 0.0 {
             next.clone()
@@ -248,7 +249,7 @@ impl<'w, 'a> Walk<'w, 'a> {
         Some(Stepped::Landed(Landed::Regular(q.to_vec())))
     }
 
-    /// The step leads through a bifurcation.
+    /// Handles a step that leads through a bifurcation.
     fn cross(
         &mut self,
         found: Branching,
@@ -295,7 +296,7 @@ impl<'w, 'a> Walk<'w, 'a> {
         Ok(Some(Stepped::On(place)))
     }
 
-    /// The place about s beyond a bifurcation on the branch with that tangent.
+    /// Returns the place about s beyond a bifurcation on the branch with that tangent.
     fn turn_into(&mut self, x: &[f64], dx: &[f64], branch: &Branch, s: f64) -> Option<CurvePoint> {
         let t = *x.last()?;
         let dt = *dx.last()?;
@@ -307,7 +308,7 @@ impl<'w, 'a> Walk<'w, 'a> {
             .then_some(place)
     }
 
-    /// q, and the rates, a time h after the bifurcation on a branch.
+    /// Returns q and the velocities a time h after the bifurcation on a branch.
     fn moved(&self, x: &[f64], branch: &Branch, h: f64) -> (Vec<f64>, Branch) {
         let q = x
             .iter()
@@ -329,7 +330,7 @@ impl<'w, 'a> Walk<'w, 'a> {
     }
 }
 
-/// The direction of time.
+/// Returns the direction of time.
 fn unit_time(n: usize) -> Vec<f64> {
     let mut direction = vec![0.0; n];
     direction.iter_mut().last().into_iter().for_each(|last| *last = 1.0);

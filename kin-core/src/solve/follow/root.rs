@@ -1,10 +1,11 @@
-//! Where a function changes its sign.
+//! Finds where a function changes its sign.
 
-/// Evaluations of one search; each second one halves the bracket at least.
+/// The largest number of evaluations; every second one at least halves the bracket.
 const EVALUATIONS: usize = 100;
 
-/// s between a and b, where f has the signs of `at_a` and `at_b`, to rounding of s, or where f is
-/// at most `enough`: secants that let no end stand still (Illinois). `None` where f gives none.
+/// Returns s between a and b at which f changes its sign from `at_a` to `at_b`, or is at most
+/// `enough`, to rounding of s. It uses secants that move both ends (Illinois). Returns `None` if f
+/// returns `None`.
 pub(super) fn root(
     mut a: (f64, f64),
     mut b: (f64, f64),

@@ -1,16 +1,16 @@
-//! Singular positions of a motion, as they are told.
+//! Singular positions of a motion for its report.
 
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::singular::{self, Singular};
 
-/// Pivots below this vanish at one singular position: where several do so at once q is known to
-/// half of its digits.   \[-\]
+/// Pivots below this value vanish at the same singular position, because q is accurate to half of
+/// its digits there. \[-\]
 const AT_ONCE: f64 = 1e-7;
 
 impl SingularPosition {
-    /// At q and t, with names by the null vectors of C_q there.
+    /// Creates the singular position at q and t, with names from the null vectors of C_q.
     pub(super) fn new(
         system: &System,
         kind: SingularKind,
@@ -29,23 +29,23 @@ impl SingularPosition {
     }
 }
 
-/// Drivers that move nothing by more than this within a step of time stand still.   \[-\]
+/// Drivers that move nothing by more than this within a step of time are at rest. \[-\]
 const STILL: f64 = 1e-12;
-/// Coordinates that enter all equations linearly are measured by how far they go where they are so
-/// many times as fast as the others.   \[-\]
+/// If a coordinate that enters all equations linearly is this many times as fast as the others, its
+/// displacement is its scale. \[-\]
 const OUTRUN: f64 = 100.0;
 
-/// The measures of the curve through (q, t).
+/// The scales of the curve through (q, t).
 pub(super) struct Scales {
     pub sizes: Vec<f64>,
     pub time: f64,
 }
 
-/// The sizes of coordinates by which steps are judged, and the measure of time.
+/// Returns the sizes of coordinates for the check of steps, and the scale of time.
 ///
-/// Along a coordinate whose column of C_q is constant no equation bends, so that it may have any
-/// size. One that is carried away fast (a feed, a carriage) must not make the others seem to stand
-/// still: it is measured by how far it goes while the fastest of the others moves by its size.
+/// Along a coordinate with a constant column of C_q no equation bends, so its size is arbitrary. If
+/// such a coordinate moves fast (a feed, a carriage), the others must not seem at rest. Its size is
+/// then its displacement while the fastest of the others moves by its size.
 pub(super) fn scales(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> Scales {
     let time = time(newton, q, t, h);
     let mut sizes = newton.sizes.clone();
@@ -70,8 +70,8 @@ pub(super) fn scales(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> Scales {
     Scales { sizes, time: slower }
 }
 
-/// The measure of time: what the fastest driver needs to move something of order 1; the step of
-/// time where all stand still, or begin to move.
+/// Returns the scale of time: the time in which the fastest driver moves something of order 1, or
+/// the step of time if all drivers rest or begin to move.
 pub(super) fn time(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> f64 {
     let c_t = newton.system.model().c_t(q, t).unwrap_or_default();
     let fastest = c_t

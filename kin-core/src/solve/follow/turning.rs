@@ -1,14 +1,13 @@
-//! Turning points: where dt/ds changes its sign there is no solution beyond t*, and two branches
-//! meet.
+//! Turning points: dt/ds changes its sign, no solution exists beyond t*, and two branches meet.
 
 use super::curve::{Curve, CurvePoint};
 use super::root::root;
 
-/// dt/ds, by the measures, at which the search ends: t is off by its square.   \[-\]
+/// The search ends at this dt/ds in scaled units; the error of t is its square. \[-\]
 const ENOUGH: f64 = 1e-12;
 
-/// The place between `here` and one that is `s` further on, where dt/ds vanishes, and how far on it
-/// is.
+/// Returns the place with dt/ds = 0 between `here` and one that is `s` further on, and its
+/// distance.
 pub(super) fn locate(
     curve: &mut Curve<'_>,
     here: &CurvePoint,
@@ -22,7 +21,7 @@ pub(super) fn locate(
     Some((curve.at(here, found)?.0, found))
 }
 
-/// The place between `here` and one that is `s` further on, where the time is `to`.
+/// Returns the place with the time `to` between `here` and one that is `s` further on.
 pub(super) fn at_time(
     curve: &mut Curve<'_>,
     here: &CurvePoint,
@@ -37,8 +36,8 @@ pub(super) fn at_time(
     Some(curve.at(here, found)?.0)
 }
 
-/// x between two places near one another, where dt/ds of the curve interpolated between them
-/// vanishes: for where the curve cannot be followed itself.
+/// Returns x between two neighbouring places at which dt/ds of the interpolated curve vanishes. It
+/// serves where the curve itself cannot be followed.
 pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Vec<f64>> {
     let end =
         |place: &CurvePoint, k: usize| [place.x[k], s * place.dx[k], 0.5 * s * s * place.ddx[k]];
@@ -49,8 +48,8 @@ pub(super) fn between(here: &CurvePoint, next: &CurvePoint, s: f64) -> Option<Ve
     Some((0..here.x.len()).map(|k| along(k).iter().rev().fold(0.0, |sum, c| sum * u + c)).collect())
 }
 
-/// Coefficients over 0 ≤ u ≤ 1 of the polynomial of fifth degree with value, slope and half the
-/// second derivative given at both ends.
+/// Returns the coefficients over 0 ≤ u ≤ 1 of the quintic polynomial with the given value, slope
+/// and half of the second derivative at both ends.
 fn quintic([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 6] {
     let p = x - a - b - c;
     let q = y - b - 2.0 * c;

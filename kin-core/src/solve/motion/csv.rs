@@ -1,4 +1,4 @@
-//! The motion as a table on disk.
+//! Writes a motion as a CSV table.
 
 use std::fs::File;
 use std::io::{BufWriter, Write};
@@ -7,9 +7,9 @@ use std::path::Path;
 use super::{MARKS, Motion};
 use crate::model::error::{Error, Result};
 
-/// Has `write` write a file, making folders that are missing.
+/// Calls `write` to write a file, and creates missing folders.
 ///
-/// Errors: a folder or file that cannot be written, by its path.
+/// Errors: a folder or file that cannot be written, with its path.
 pub(crate) fn to_file(
     path: &Path,
     write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>,
@@ -23,35 +23,37 @@ pub(crate) fn to_file(
     written().map_err(|source| Error::File { path: path.to_path_buf(), source })
 }
 
-/// A header or another text of a table as spreadsheets may read it: one that begins with `=`, `+`,
-/// `-`, `@`, a tab or a carriage return would be computed as a formula there, so it is written with
-/// `'` before it.
+/// Protects a header or another text of a table from spreadsheets, which compute a text that begins
+/// with `=`, `+`, `-`, `@`, a tab or a carriage return as a formula. Such a text gets a leading
+/// `'`.
 pub(crate) fn as_text(text: String) -> String {
     if text.starts_with(['=', '+', '-', '@', '\t', '\r']) { format!("'{text}") } else { text }
 }
 
 impl Motion {
-    /// Writes the motion as CSV, making folders that are missing: t, then all q, all q̇, all q̈
-    /// (and all q⃛ where the jerk was asked for) in the order of the coordinates, then the outputs;
-    /// headers such as `t [s]`, `crank.R_x [m]`, `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`,
-    /// `crank.R_x''' [m/s^3]`; 17 significant digits. A header that begins as a formula of a
-    /// spreadsheet does (`=`, `+`, `-`, `@`) is written with `'` before it.
+    /// Writes the motion as a CSV file and creates missing folders.
     ///
-    /// Errors: a folder or file that cannot be written, by its path.
+    /// The columns are t, then all q, all q̇, all q̈ (and all q⃛ if the run computed the jerk) in
+    /// the order of the coordinates, then the outputs. Headers are `t [s]`, `crank.R_x [m]`,
+    /// `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`. Numbers have 17
+    /// significant digits. A header that begins like a formula of a spreadsheet (`=`, `+`, `-`,
+    /// `@`) gets a leading `'`.
+    ///
+    /// Errors: a folder or file that cannot be written, with its path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
         to_file(path.as_ref(), |to| self.write_csv_to(to))
     }
 
-    /// Writes the same table to anything that takes bytes, such as the standard output.
+    /// Writes the table of [`Motion::write_csv`] to a writer, such as standard output.
     ///
-    /// Errors: what the writer reports.
+    /// Errors: those of the writer.
     pub fn write_csv_to(&self, to: impl Write) -> std::io::Result<()> {
         let mut table = csv::Writer::from_writer(to);
         self.table(&mut table)?;
         table.flush()
     }
 
-    /// Header and rows.
+    /// Writes the header and the rows.
     fn table(&self, table: &mut csv::Writer<impl Write>) -> std::io::Result<()> {
         table.write_record(self.headers().into_iter().map(as_text)).map_err(reason)?;
         let mut text = String::new();
@@ -76,7 +78,7 @@ impl Motion {
         Ok(())
     }
 
-    /// The header of each column.
+    /// Returns the header of each column.
     pub fn headers(&self) -> Vec<String> {
         let mut all = vec![format!("t [{}]", self.unit_words().time())];
         let orders = if self.has_jerk() { 4 } else { 3 };
@@ -93,7 +95,7 @@ impl Motion {
     }
 }
 
-/// The system's own reason, of which the conversion that `csv` has would lose the kind.
+/// Returns the reason of the operating system. The conversion of `csv` would lose its kind.
 pub(crate) fn reason(error: csv::Error) -> std::io::Error {
     match error.into_kind() {
         csv::ErrorKind::Io(reason) => reason,
@@ -101,10 +103,10 @@ pub(crate) fn reason(error: csv::Error) -> std::io::Error {
     }
 }
 
-/// 17 significant digits: enough to read the same number back.
+/// Writes 17 significant digits: enough to read the same number back.
 fn digits(text: &mut String, value: f64) {
     use std::fmt::Write;
-    // −0 + 0 is 0, which reads better; writing to a String does not fail.
+    // −0 + 0 is 0, which reads better. Writing to a String does not fail.
     let _ = write!(text, "{:.16e}", value + 0.0);
 }
 

@@ -6,15 +6,17 @@ use super::{Body, Motion, PointMotion, Quantity, Vector};
 use crate::model::error::{Error, Result};
 
 impl Motion {
-    /// |r_P − r_Q| over time with its rates: how far P, local position `p` of body `a`, is from Q,
-    /// local position `q` of body `b`. The length of a spring or of a cylinder, the clearance of
-    /// two edges.   \[m\]
+    /// Returns the distance |r_P − r_Q| of two points over time, with its derivatives. \[m\]
     ///
-    /// The ground is a body too: `PlanarBody::from(ground)`, `SpatialBody::from(ground)`. As a
-    /// measure to be asked for extremes and crossings: `system.extremes(&motion, |m: &Motion|
+    /// P is the local position `p` of body `a`, Q the local position `q` of body `b`. Use it for
+    /// the length of a spring or a cylinder, or the clearance of two edges. The ground is a body
+    /// too: `PlanarBody::from(ground)`, `SpatialBody::from(ground)`.
+    ///
+    /// As a measure for extremes and crossings write `system.extremes(&motion, |m: &Motion|
     /// m.distance(arm, (0.4, 0.0), frame, (0.0, 0.3)))?`.
     ///
-    /// Errors: a body of another mechanism; points that meet, where a distance has no rate.
+    /// Errors: a body belongs to another mechanism; the points meet, so the distance has no
+    /// derivative.
     pub fn distance<A: Body, B: Body<Vector = A::Vector>>(
         &self,
         a: A,
@@ -28,7 +30,7 @@ impl Motion {
         for (k, &t) in self.times().iter().enumerate() {
             let components = (0..<A::Vector as Vector>::NAMES.len())
                 .map(|c| component(&p, k, c) - component(&q, k, c));
-            // The largest taken out, so that no square overflows.
+            // The largest component is factored out, so no square overflows.
             let components: Vec<Dual3_64> = components.collect();
             let size = components.iter().fold(0.0_f64, |m, x| m.max(x.re.abs()));
             let distance =
@@ -49,7 +51,7 @@ impl Motion {
     }
 }
 
-/// Component c of a point at time k as it moves.
+/// Returns component c of a point at time k as a dual number along the motion.
 fn component<V: Vector>(point: &PointMotion<V>, k: usize, c: usize) -> Dual3_64 {
     let at = |all: &[V]| all.get(k).map_or(0.0, |x| x.component(c));
     Dual3_64::new(at(point.r()), at(point.v()), at(point.a()), at(point.jerk()))

@@ -1,4 +1,4 @@
-//! Motions that were measured, or computed by others.
+//! Motions that were measured, or that another program computed.
 
 use super::Motion;
 use crate::model::error::{Error, Result};
@@ -6,10 +6,11 @@ use crate::solve::newton::Outcome;
 use crate::system::System;
 
 impl Motion {
-    /// A motion from states that are given: at each time q, q̇ and q̈ in the order of the
-    /// coordinates ([`System::coordinate_names`]). Nothing is solved, and nothing is asked of them
-    /// but that they are finite; [`Motion::residuals`] tells how far they are from C(q, t) = 0. For
-    /// forces of a measured motion.   \[s, m, rad\]
+    /// Creates a motion from given states: q, q̇ and q̈ at each time, in the order of
+    /// [`System::coordinate_names`]. \[s, m, rad\]
+    ///
+    /// Kin solves nothing and requires only finite numbers. [`Motion::residuals`] shows how far the
+    /// states are from C(q, t) = 0. Use it for the forces of a measured motion.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -31,8 +32,8 @@ impl Motion {
     /// # }
     /// ```
     ///
-    /// Errors: lists of different lengths, rows of another length than the coordinates, numbers
-    /// that are not finite; times that do not only increase or only decrease.
+    /// Errors: lists or rows of the wrong length, numbers that are not finite, times that neither
+    /// increase nor decrease throughout.
     pub fn from_states(
         system: &System,
         times: &[f64],
@@ -65,7 +66,7 @@ impl Motion {
     }
 }
 
-/// Refuses times that are not finite, or turn round.
+/// Returns an error for times that are not finite, or that change direction.
 fn ordered(times: &[f64]) -> Result<()> {
     let bad = |reason: String| Err(Error::InvalidTimes { reason });
     if let Some(t) = times.iter().find(|t| !t.is_finite()) {

@@ -1,4 +1,4 @@
-//! Measures of planar bodies over time: angles between them, the transmission angle, instant
+//! Measures of planar bodies over time: angles between bodies, the transmission angle, instant
 //! centres.
 
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -9,10 +9,12 @@ use crate::model::error::Result;
 use crate::model::units::Unit;
 use crate::numbers::algebra::Vec2;
 
-/// Angular velocities below this share of the largest of the motion are none.   \[-\]
+/// Angular velocities below this share of the largest one of the motion are rounding and count as
+/// zero. \[-\]
 const STILL: f64 = 1e-12;
 
-/// A direction fixed in a planar body: a link is the line through its pins, `(body, h)` any other.
+/// A direction fixed in a planar body. A link means the line through its pins; `(body, h)` gives
+/// another direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     body: PlanarBody,
@@ -32,10 +34,11 @@ impl<B: Into<PlanarBody>, V: Into<Vec2>> From<(B, V)> for Line {
 }
 
 impl Motion {
-    /// θ_a − θ_b over time: how far `a` is turned against `b` (or the ground), counter-clockwise,
-    /// with any number of turns.   \[rad\]
+    /// Returns θ_a − θ_b over time: the angle of `a` relative to `b` or to the ground. \[rad\]
     ///
-    /// Errors: a body of another mechanism.
+    /// It is counter-clockwise positive and counts any number of revolutions.
+    ///
+    /// Errors: a body belongs to another mechanism.
     pub fn relative_angle(
         &self,
         a: impl Into<PlanarBody>,
@@ -49,14 +52,15 @@ impl Motion {
         Ok(Quantity::new("relative angle", "rad", self.clock(), [0, 1, 2, 3].map(difference)))
     }
 
-    /// The transmission angle over time: between the line of a coupler and that of what it drives,
-    /// from 0 to π/2, with its rates. The nearer to π/2, the better the coupler pushes.   \[rad\]
+    /// Returns the transmission angle over time: the angle between a coupler and the link that it
+    /// drives, from 0 to π/2. \[rad\]
     ///
-    /// Of a four-bar `transmission_angle(coupler, rocker)`; of a slider, against the direction
-    /// across its way: `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle
-    /// turns round, and its rates are those of one side.
+    /// The closer to π/2, the better the coupler transmits force. For a four-bar write
+    /// `transmission_angle(coupler, rocker)`. For a slider give the direction across its line:
+    /// `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle has a kink, and
+    /// its derivatives are those of one side.
     ///
-    /// Errors: a body of another mechanism.
+    /// Errors: a body belongs to another mechanism.
     pub fn transmission_angle(
         &self,
         coupler: impl Into<Line>,
@@ -80,13 +84,14 @@ impl Motion {
         Ok(all.renamed("transmission angle"))
     }
 
-    /// The instant centre of two planar bodies (or of one and the ground) at each time: the point
-    /// that has the same velocity in both, in the global frame; `None` where they do not turn
-    /// against each other.   \[m\]
+    /// Returns the instant centre of two planar bodies at each time: the point that has the same
+    /// velocity in both, in the global frame. \[m\]
     ///
-    /// With v the velocity of the one against the other at the origin and ω their relative angular
-    /// velocity it is (−v_y, v_x)/ω. Shabana, *Computational Dynamics*, section 2.4. Errors: a body
-    /// of another mechanism.
+    /// One body may be the ground. The result is `None` at times at which the bodies do not rotate
+    /// relative to each other. It is (−v_y, v_x)/ω, where v is the relative velocity at the origin
+    /// and ω the relative angular velocity. Shabana, *Computational Dynamics*, section 2.4.
+    ///
+    /// Errors: a body belongs to another mechanism.
     pub fn instant_centre(
         &self,
         a: impl Into<PlanarBody>,
@@ -98,7 +103,7 @@ impl Motion {
         let b = b?;
         let still = STILL * self.fastest_turn();
         let centre = |k: usize| {
-            // The velocity of the body's plane at the origin, and ω.
+            // The velocity at the origin of the plane that is fixed in the body, and ω.
             let spin = |columns: &std::ops::Range<usize>| match self.orders(k, columns.clone()) {
                 [&[x, y, _], &[vx, vy, omega], ..] => [vx + omega * y, vy - omega * x, omega],
                 _ => [0.0; 3],
@@ -112,7 +117,7 @@ impl Motion {
         Ok((0..self.len()).map(centre).collect())
     }
 
-    /// The largest angular velocity of any planar body at any time.
+    /// Returns the largest angular velocity of all planar bodies and times.
     fn fastest_turn(&self) -> f64 {
         let units = self.layout.units.iter().cycle();
         self.qd

@@ -11,8 +11,8 @@ use crate::model::mechanism::Marker;
 use crate::model::units::Unit;
 use crate::model::units::Units;
 
-/// Position, velocity and acceleration of a point of a body, one of each a time, and its jerk where
-/// the run was asked for it.
+/// The position, velocity and acceleration of a point of a body at each time, with its jerk if the
+/// run computed it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PointMotion<V> {
     times: Vec<f64>,
@@ -20,29 +20,31 @@ pub struct PointMotion<V> {
     r: Vec<V>,
     v: Vec<V>,
     a: Vec<V>,
-    /// Empty unless the run was asked for the jerk.
+    /// Empty unless the run computed the jerk.
     jerk: Vec<V>,
 }
 
 impl Motion {
-    /// Position, velocity and acceleration of a marker over time.   \[m, m/s, m/s²\]
+    /// Returns position, velocity and acceleration of a marker over time. \[m, m/s, m/s²\]
     ///
-    /// Errors: a marker on a body of another mechanism.
+    /// Errors: the body of the marker belongs to another mechanism.
     pub fn marker<B: Body + Copy>(&self, marker: &Marker<B>) -> Result<PointMotion<B::Vector>> {
         self.point(marker.body, marker.u)
     }
 
-    /// Adds r, v and a of a marker to the file under its name.
+    /// Adds r, v and a of a marker to the file, under the name of the marker.
     ///
-    /// Errors: a body of another mechanism, name taken.
+    /// Errors: the body belongs to another mechanism, the name is taken.
     pub fn add_marker<B: Body + Copy>(&mut self, marker: &Marker<B>) -> Result<()> {
         self.add_point(&marker.name, marker.body, marker.u)
     }
 
-    /// Position, velocity and acceleration over time of the point with local position `local` of a
-    /// body or link; the ground as a body is welcome too.   \[m, m/s, m/s²\]
+    /// Returns position, velocity and acceleration over time of the point with local position
+    /// `local` of a body or link. \[m, m/s, m/s²\]
     ///
-    /// Errors: a body of another mechanism.
+    /// The body may be the ground.
+    ///
+    /// Errors: the body belongs to another mechanism.
     pub fn point<B: Body>(
         &self,
         body: B,
@@ -73,7 +75,7 @@ impl Motion {
         Ok(all)
     }
 
-    /// The columns of a body, none of the ground's; `place` is what asks.
+    /// Returns the columns of a body, none for the ground. `place` names the caller in an error.
     pub(crate) fn columns(&self, target: &Target, place: &str) -> Result<Range<usize>> {
         match self.layout.place(target) {
             Some(Place::Own { first, .. }) => Ok(first..first + target.columns()),
@@ -87,7 +89,7 @@ impl Motion {
         }
     }
 
-    /// q, q̇, q̈ and q⃛ (or nothing) of these columns at time k.
+    /// Returns q, q̇, q̈ and q⃛ (or nothing) of these columns at time k.
     pub(crate) fn orders(&self, k: usize, columns: Range<usize>) -> [&[f64]; 4] {
         [self.q(k), self.qd(k), self.qdd(k), self.qddd(k)]
             .map(|row| row.get(columns.clone()).unwrap_or_default())
@@ -95,39 +97,39 @@ impl Motion {
 }
 
 impl<V: Vector> PointMotion<V> {
-    /// The times.   \[s\]
+    /// Returns the times. \[s\]
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// r, global position.   \[m\]
+    /// Returns the global position r. \[m\]
     pub fn r(&self) -> &[V] {
         &self.r
     }
 
-    /// v = ṙ, global components.   \[m/s\]
+    /// Returns v = ṙ in global components. \[m/s\]
     pub fn v(&self) -> &[V] {
         &self.v
     }
 
-    /// a = r̈, global components.   \[m/s²\]
+    /// Returns a = r̈ in global components. \[m/s²\]
     pub fn a(&self) -> &[V] {
         &self.a
     }
 
-    /// ȧ, global components; empty unless the run was asked for the jerk
-    /// ([`crate::SolverOptions::jerk`]).   \[m/s³\]
+    /// Returns ȧ in global components. It is empty unless the run computed the jerk
+    /// ([`crate::SolverOptions::jerk`]). \[m/s³\]
     pub fn jerk(&self) -> &[V] {
         &self.jerk
     }
 
-    /// The unit of r (`order` 0) or of one of its rates.
+    /// Returns the unit of r (`order` 0) or of one of its derivatives.
     fn unit(&self, order: usize) -> String {
         self.units.text(Unit::Metre, order)
     }
 
-    /// n · r with its rates, n being any global direction: one coordinate of the point, as what can
-    /// be asked for its extremes.   \[m\]
+    /// Returns the coordinate n · r of the point along a global direction n, with its derivatives.
+    /// Its extremes can be searched. \[m\]
     pub fn along(&self, n: impl Into<V>) -> Quantity {
         let n = n.into();
         let dot = |x: &V| (0..V::NAMES.len()).map(|k| n.component(k) * x.component(k)).sum();
@@ -136,7 +138,7 @@ impl<V: Vector> PointMotion<V> {
         Quantity::new("along", &self.unit(0), (&self.times, &self.units), orders)
     }
 
-    /// |v| over time.   \[m/s\]
+    /// Returns |v| over time. \[m/s\]
     pub fn speed(&self) -> Series {
         Series::new(
             "speed",
@@ -146,7 +148,7 @@ impl<V: Vector> PointMotion<V> {
         )
     }
 
-    /// |a| over time.   \[m/s²\]
+    /// Returns |a| over time. \[m/s²\]
     pub fn acceleration_magnitude(&self) -> Series {
         Series::new(
             "acceleration",
@@ -156,7 +158,7 @@ impl<V: Vector> PointMotion<V> {
         )
     }
 
-    /// |ȧ| over time; empty unless the run was asked for the jerk.   \[m/s³\]
+    /// Returns |ȧ| over time. It is empty unless the run computed the jerk. \[m/s³\]
     pub fn jerk_magnitude(&self) -> Series {
         let times = if self.jerk.is_empty() { &[] } else { &self.times[..] };
         Series::new(
@@ -167,8 +169,8 @@ impl<V: Vector> PointMotion<V> {
         )
     }
 
-    /// Each component of r, v and a (and of the jerk, where it is known) over time, named x, y, x',
-    /// y', x'', ….
+    /// Returns each component of r, v and a over time, and of the jerk if it is known, with the
+    /// names x, y, x', y', x'', ….
     pub fn components(&self) -> Vec<Series> {
         let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(0..);
         let component = |((all, mark), order): ((&Vec<V>, &'static str), usize), k: usize| {
@@ -187,7 +189,7 @@ impl<V: Vector> PointMotion<V> {
     }
 }
 
-/// |x| without overflow.
+/// Returns |x| without overflow.
 fn size<V: Vector>(x: &V) -> f64 {
     (0..V::NAMES.len()).map(|k| x.component(k)).fold(0.0_f64, f64::hypot)
 }

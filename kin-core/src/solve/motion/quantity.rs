@@ -1,10 +1,10 @@
-//! One number over time with its rates.
+//! One quantity over time with its derivatives.
 
 use super::{Motion, Series};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
-/// One number over time with its rates: a coordinate, the angle of a joint, a slide.
+/// One quantity over time with its derivatives: a coordinate, the angle of a joint, a slide.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Quantity {
@@ -14,8 +14,8 @@ pub struct Quantity {
     pub rate: Series,
     /// ẍ   \[m/s² or rad/s²\]
     pub second_rate: Series,
-    /// x⃛, empty unless the run was asked for the jerk ([`crate::SolverOptions::jerk`]).   \[m/s³
-    /// or rad/s³\]
+    /// x⃛. It is empty unless the run computed the jerk ([`crate::SolverOptions::jerk`]). \[m/s³ or
+    /// rad/s³\]
     pub third_rate: Series,
 }
 
@@ -32,11 +32,12 @@ pub struct QuantityValues {
     pub third_rate: Vec<f64>,
 }
 
-/// Marks of derivatives after a name: x, x', x'', x'''.
+/// The suffixes of derivatives in names: x, x', x'', x'''.
 pub(crate) const MARKS: [&str; 4] = ["", "'", "''", "'''"];
 
 impl Quantity {
-    /// From x in `unit`, ẋ, ẍ and x⃛ (empty, or one a time), with what units are called.
+    /// Creates a quantity from x in `unit`, ẋ, ẍ and x⃛ (empty, or one for each time), and the
+    /// names of the units.
     pub(crate) fn new(
         name: &str,
         unit: &str,
@@ -58,7 +59,7 @@ impl Quantity {
         Quantity { value: next(), rate: next(), second_rate: next(), third_rate: next() }
     }
 
-    /// x, ẋ, ẍ and x⃛ (or nothing).
+    /// Returns x, ẋ, ẍ and x⃛ (or nothing).
     pub(crate) fn orders(&self) -> [&[f64]; 4] {
         [
             self.value.values(),
@@ -73,7 +74,7 @@ impl Quantity {
             .map(Series::values_mut)
     }
 
-    /// The same under another name.
+    /// Changes the name of the quantity.
     #[must_use]
     pub fn renamed(mut self, name: &str) -> Self {
         let all = [&mut self.value, &mut self.rate, &mut self.second_rate, &mut self.third_rate];
@@ -85,11 +86,12 @@ impl Quantity {
 }
 
 impl Motion {
-    /// Makes a quantity of `values` that were computed from this motion, with x in `unit`. It is
-    /// for a measure that is a function of a motion ([`crate::results::Measure`]). Kin does not
-    /// check the rates.
+    /// Creates a quantity from `values` computed from this motion, with x in `unit`. Kin does not
+    /// check the derivatives.
     ///
-    /// Errors: a list that is not one number a time; a number that is infinite or not a number.
+    /// A measure that is a function of a motion ([`crate::results::Measure`]) uses it.
+    ///
+    /// Errors: a list without one number for each time, a number that is infinite or NaN.
     pub fn quantity(&self, name: &str, unit: &str, values: QuantityValues) -> Result<Quantity> {
         let QuantityValues { value, rate, second_rate, third_rate } = values;
         let orders = [value, rate, second_rate, third_rate];
@@ -118,7 +120,7 @@ impl Motion {
 impl std::ops::Sub for Quantity {
     type Output = Quantity;
 
-    /// The difference of two measures of one motion, with its rates.
+    /// Returns the difference of two measures of one motion, with its derivatives.
     fn sub(mut self, other: Quantity) -> Quantity {
         let name = format!("{} − {}", self.value.name(), other.value.name());
         for (own, less) in self.orders_mut().into_iter().zip(other.orders()) {

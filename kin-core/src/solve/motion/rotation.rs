@@ -8,7 +8,8 @@ use crate::model::units::Unit;
 use crate::model::units::Units;
 use crate::numbers::algebra::Vec3;
 
-/// ω and α of a spatial body, one of each a time, and α̇ where the run was asked for the jerk.
+/// The angular velocity ω and acceleration α of a spatial body at each time, and α̇ if the run
+/// computed the jerk.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RotationMotion {
     times: Vec<f64>,
@@ -16,18 +17,20 @@ pub struct RotationMotion {
     omega: Vec<Vec3>,
     alpha: Vec<Vec3>,
     alpha_rate: Vec<Vec3>,
-    /// (e0, e) of the body, to turn global components into its own.
+    /// (e0, e) of the body, to convert global components to the body frame.
     p: Vec<[f64; 4]>,
 }
 
 impl Motion {
-    /// Angular velocity and acceleration of a spatial body over time, global components, from its
-    /// Euler parameters:
+    /// Returns the angular velocity and acceleration of a spatial body over time, in global
+    /// components. \[rad/s, rad/s²\]
     ///
-    /// ω = 2 (e0 ė − ė0 e + e × ė),  α = 2 (e0 ë − ë0 e + e × ë).   \[rad/s, rad/s²\]
+    /// Kin computes them from the Euler parameters: ω = 2 (e0 ė − ė0 e + e × ė),  α = 2 (e0 ë − ë0
+    /// e + e × ë).
     ///
-    /// A planar body has θ̇ and θ̈ instead: [`Motion::coordinate`]. Errors: a body of another
-    /// mechanism.
+    /// For a planar body use θ̇ and θ̈ of [`Motion::coordinate`].
+    ///
+    /// Errors: the body belongs to another mechanism.
     pub fn rotation(&self, body: impl Into<SpatialBody>) -> Result<RotationMotion> {
         let columns = self.columns(&Target::Spatial(body.into()), "rotation")?;
         let times = self.times().to_vec();
@@ -44,7 +47,7 @@ impl Motion {
             let orders = self
                 .orders(k, columns.clone())
                 .map(|row| row.get(3..).and_then(|p| p.first_chunk::<4>()).copied());
-            // The ground has no coordinates: it stands still.
+            // The ground has no coordinates and is at rest.
             let p = orders[0].unwrap_or([1.0, 0.0, 0.0, 0.0]);
             let [pd, pdd, pddd] = [orders[1], orders[2], orders[3]].map(Option::unwrap_or_default);
             all.p.push(p);
@@ -59,7 +62,7 @@ impl Motion {
 
     /// Adds ω and α of a spatial body to the file, as `NAME.omega_x`, …, `NAME.alpha_z`.
     ///
-    /// Errors: a body of another mechanism, name empty or taken.
+    /// Errors: the body belongs to another mechanism, the name is empty or taken.
     pub fn add_rotation(&mut self, name: &str, body: impl Into<SpatialBody>) -> Result<()> {
         for component in self.rotation(body)?.components() {
             self.add_output(
@@ -72,7 +75,7 @@ impl Motion {
     }
 }
 
-/// 2 (a0 b − b0 a + a × b), twice the vector part of b a*.
+/// Returns 2 (a0 b − b0 a + a × b), twice the vector part of b a*.
 fn turn([a0, a1, a2, a3]: [f64; 4], [b0, b1, b2, b3]: [f64; 4]) -> Vec3 {
     let a = Vec3::new(a1, a2, a3);
     let b = Vec3::new(b1, b2, b3);
@@ -80,28 +83,28 @@ fn turn([a0, a1, a2, a3]: [f64; 4], [b0, b1, b2, b3]: [f64; 4]) -> Vec3 {
 }
 
 impl RotationMotion {
-    /// The times.   \[s\]
+    /// Returns the times. \[s\]
     pub fn times(&self) -> &[f64] {
         &self.times
     }
 
-    /// ω.   \[rad/s\]
+    /// Returns the angular velocity ω. \[rad/s\]
     pub fn omega(&self) -> &[Vec3] {
         &self.omega
     }
 
-    /// α = ω̇.   \[rad/s²\]
+    /// Returns the angular acceleration α = ω̇. \[rad/s²\]
     pub fn alpha(&self) -> &[Vec3] {
         &self.alpha
     }
 
-    /// α̇, empty unless the run was asked for the jerk
-    /// ([`crate::SolverOptions::jerk`]).   \[rad/s³\]
+    /// Returns α̇. It is empty unless the run computed the jerk ([`crate::SolverOptions::jerk`]).
+    /// \[rad/s³\]
     pub fn alpha_rate(&self) -> &[Vec3] {
         &self.alpha_rate
     }
 
-    /// The same vectors by their components in the body's own frame: Aᵀ ω, Aᵀ α.
+    /// Returns the vectors with components in the frame of the body: Aᵀ ω, Aᵀ α.
     #[must_use]
     pub fn in_body(&self) -> RotationMotion {
         let local = |all: &[Vec3]| {
@@ -117,17 +120,17 @@ impl RotationMotion {
             omega: local(&self.omega),
             alpha: local(&self.alpha),
             alpha_rate: local(&self.alpha_rate),
-            // The components are turned already.
+            // The components are already in the frame of the body.
             p: vec![[1.0, 0.0, 0.0, 0.0]; self.p.len()],
         }
     }
 
-    /// The unit of an angle's rate.
+    /// Returns the unit of a derivative of an angle.
     fn unit(&self, order: usize) -> String {
         self.units.text(Unit::Radian, order)
     }
 
-    /// |ω| over time.   \[rad/s\]
+    /// Returns |ω| over time. \[rad/s\]
     pub fn speed(&self) -> Series {
         Series::new(
             "angular speed",
@@ -137,8 +140,9 @@ impl RotationMotion {
         )
     }
 
-    /// ω · h/|h| over time, h in the frame that the components are in: a shaft's speed about its
-    /// axis is `in_body().about(axis)`.   \[rad/s\]
+    /// Returns ω · h/|h| over time, with h in the frame of the components. \[rad/s\]
+    ///
+    /// For the speed of a shaft about its axis write `in_body().about(axis)`.
     pub fn about(&self, h: impl Into<Vec3>) -> Series {
         let h = h.into();
         let h = h / h.norm();
@@ -150,7 +154,7 @@ impl RotationMotion {
         )
     }
 
-    /// Each component of ω and α over time, named `omega_x`, …, `alpha_z`.
+    /// Returns each component of ω and α over time, with the names `omega_x`, …, `alpha_z`.
     pub fn components(&self) -> Vec<Series> {
         let quantities = [("omega", 1, &self.omega), ("alpha", 2, &self.alpha)];
         let axes = [("x", 0), ("y", 1), ("z", 2)];

@@ -1,5 +1,5 @@
-//! Summary of a motion: counts, Newton's steps, residuals, and how far its first position is from
-//! where bodies are drawn.
+//! Summarises a motion: counts, Newton steps, residuals, and the distance of the first position
+//! from the drawn one.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -11,35 +11,39 @@ use crate::model::words::count;
 use crate::numbers::algebra::{EulerParameters, Vec3};
 use crate::solve::first_run::{is_usual, shown};
 
-/// Bodies that are told at most.
+/// The largest number of bodies in a summary.
 const SHOWN: usize = 4;
 
-/// Bodies nearer than this share of the mechanism's size, or of a radian, are where they are
-/// drawn.   \[-\]
+/// A body nearer to its drawn pose than this share of the mechanism's size, or than this part of a
+/// radian, counts as unmoved. Users draw with about three digits. \[-\]
 const THERE: f64 = 1e-3;
 
-/// How far the first position of a body or angle is from its guess.
+/// The distance of a body's or angle's first position from its guess.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Displacement {
-    /// The body or bare coordinate.
+    /// The body or scalar coordinate.
     pub name: String,
-    /// How far it has been moved; `None` where nobody has said where it is: a link by its length
-    /// alone.   \[m\]
+    /// The displacement; `None` if the guess does not say where the body is, as for a link given by
+    /// its length alone. \[m\]
     pub moved: Option<f64>,
-    /// How far it has been turned, of a spatial body between 0 and π.   \[rad\]
+    /// The rotation; for a spatial body it is between 0 and π. \[rad\]
     pub turned: Option<f64>,
-    /// The likely cause, where the first position is farther from the guess than assembly leads as
-    /// a rule.
+    /// The probable cause, if the first position is further from the guess than usual; otherwise
+    /// `None`.
     pub hint: Option<String>,
 }
 
 impl Motion {
-    /// Counts, Newton steps a time (the first position apart, which is found from a guess) and the
-    /// largest residual in one line; then the engine, where a program has computed times or there
-    /// could be none ([`Motion::engine`], [`Motion::why_not_compiled`]); then how far the first position
-    /// is from the drawn one, where it is, the worst first ([`Motion::displaced`]); and the
-    /// warnings ([`Motion::warnings`]).
+    /// Returns a summary of the motion in a few lines.
+    ///
+    /// The first line contains the counts, the Newton steps per time and the largest residual. The
+    /// first position counts separately, because the run finds it from a guess. The next line
+    /// describes the engine, if a program computed times or could not exist ([`Motion::engine`],
+    /// [`Motion::why_not_compiled`]). If the first position is far from the drawn one, the next
+    /// lines list the bodies, the worst first ([`Motion::displaced`]), with a hint at a probable
+    /// mistake. The last lines are the warnings among the events
+    /// ([`crate::results::EventKind::is_warning`]).
     pub fn summary(&self) -> String {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
@@ -55,7 +59,7 @@ impl Motion {
         text
     }
 
-    /// The line about the engine; none where nobody looked for a program.
+    /// Returns the line about the engine, or an empty text if the run did not look for a program.
     fn by_engine(&self) -> String {
         match (self.engine.compiled, self.why_not_compiled()) {
             (0, None) => String::new(),
@@ -110,9 +114,11 @@ impl Motion {
         )
     }
 
-    /// The largest |C| of a motion of redundant equations that were allowed to contradict one
-    /// another ([`crate::SolverOptions::allowed_misfit`]), of the norm of its row: of the mechanism's size where
-    /// the row is a length. 0 where all are met.   \[-\]
+    /// Returns the largest |C| relative to the norm of its row, for redundant equations that may
+    /// contradict each other ([`crate::SolverOptions::allowed_misfit`]). \[-\]
+    ///
+    /// For a row that is a length the norm is the mechanism's size. The result is 0 if all
+    /// equations are satisfied.
     pub fn misfit(&self) -> f64 {
         self.misfit
     }
@@ -196,8 +202,8 @@ impl Motion {
         self.turned_before || is_usual(turned) || angle.abs() > TAU && is_usual(angle)
     }
 
-    /// How far bodies are drawn from one another and from the origin of the ground; 0 where none is
-    /// drawn.
+    /// Returns the largest distance of drawn bodies from one another and from the origin, or 0 if
+    /// no body is drawn.
     fn drawn_size(&self) -> f64 {
         let drawn = self
             .layout
@@ -217,7 +223,7 @@ impl Motion {
 }
 
 impl Displacement {
-    /// "`plate` 2.50 m and 0.30 rad"
+    /// Writes "`plate` 2.50 m and 0.30 rad".
     fn sentence(&self, unit: &str) -> Option<String> {
         let length =
             self.moved.filter(|moved| *moved > 0.0).map(|moved| format!("{moved:.4} {unit}"));
@@ -228,8 +234,8 @@ impl Displacement {
     }
 }
 
-/// True if a pose was given for a body: links by their lengths alone stand at the origin until they
-/// are assembled.
+/// Returns true if the user gave a pose for a body. Links given by their length alone are at the
+/// origin before assembly.
 fn is_drawn(item: &Item, guess: &[f64]) -> bool {
     match item.kind {
         Kind::Planar | Kind::Spatial => origin(item, guess) != [0.0; 3],
@@ -242,7 +248,7 @@ fn origin(item: &Item, q: &[f64]) -> [f64; 3] {
     [q[item.first], q[item.first + 1], z]
 }
 
-/// The angle between two orientations, 0 to π.   \[rad\]
+/// Returns the angle between two orientations, from 0 to π. \[rad\]
 fn turn(a: &[f64], b: &[f64]) -> f64 {
     let [a, b] = [a, b].map(|p| EulerParameters::new(p[0], p[1], p[2], p[3]));
     let relative = a.conjugate().product(b);

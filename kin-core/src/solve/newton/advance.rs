@@ -1,6 +1,6 @@
-//! From one solved time to the next: in one step of time if that works, else in smaller ones, which
-//! grow again. Plain steps and those of redundant mechanisms are taken by this one loop; programs
-//! take whole steps only, and leave the rest to it where that needs smaller ones.
+//! Moves from one solved time to the next: in one step of time if that works, otherwise in smaller
+//! steps, which grow again. The step-by-step solver and redundant mechanisms share this loop.
+//! Compiled programs make whole steps only; if these fail, this loop continues.
 
 use super::Outcome;
 use super::options::resolution;
@@ -8,66 +8,66 @@ use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
-/// The curve is followed for this many of the last, short steps of time at least, and for this
-/// share of the time asked for.
+/// The curve is followed for at least this many of the last, short steps of time, and for this
+/// share of the requested time.
 const PASSED_STEPS: f64 = 32.0;
 const PASSED_SHARE: f64 = 1.0 / 64.0;
 
-/// No step of time is shorter than this share of the time asked for.   \[-\]
+/// The shortest step of time, as a share of the requested step. \[-\]
 pub(super) const SHORTEST: f64 = 1e-9;
 
-/// Smaller steps of one step of time after which it is estimated how many more there will be.
+/// The number of smaller steps after which the loop estimates how many more will follow.
 const MANY: f64 = 8192.0;
 
-/// The effort that a run may spend on smaller steps of time, which are no results: so many steps
-/// times coordinates, `OVERHEAD` of them for what each step does beside its coordinates. A
-/// processor of today takes some seconds for it. And so many smaller steps for each time of the
-/// run.
+/// The effort that a run may spend on smaller steps of time, which are no results: steps times
+/// coordinates, with `OVERHEAD` coordinates added for the fixed cost of a step. A present processor
+/// takes some seconds for it. Each time of the run adds a number of smaller steps.
 const EFFORT: f64 = 1e7;
 const OVERHEAD: f64 = 4.0;
 const EACH: f64 = 20.0;
 
-/// The length of a step may be all that is wrong with it where it is more than this share of the
-/// time asked for.   \[-\]
+/// If a step is longer than this share of the requested step, its length may be the only reason for
+/// the failure. \[-\]
 const CLEARLY_SHORT: f64 = 1e-6;
 
-/// A step along a curve takes as long as so many of these.
+/// The cost of a step along a curve, in steps of time.
 const ALONG: f64 = 10.0;
 
-/// The work that a run may still spend on smaller steps of time. It is counted, not timed, so that
-/// the verdict is the same on each machine.
+/// The work that a run may still spend on smaller steps of time. It counts steps, not time, so the
+/// result is the same on each machine.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Effort {
-    /// Smaller steps that are left.
+    /// The remaining smaller steps.
     left: f64,
-    /// Smaller steps that each time of the run adds.
+    /// The smaller steps that each time of the run adds.
     each: f64,
 }
 
 impl Effort {
-    /// For a run of a system with so many coordinates, with so many times the usual effort.
+    /// Creates the effort for a run of a system with this number of coordinates; `times` multiplies
+    /// the usual effort.
     pub(crate) fn new(coordinates: usize, times: f64) -> Self {
         Effort { left: times * EFFORT / (OVERHEAD + coordinates as f64), each: times * EACH }
     }
 
-    /// One more time is asked for.
+    /// Adds the steps of one more time.
     pub(super) fn grant(&mut self) {
         self.left += self.each;
     }
 
-    /// So many steps along a curve were tried.
+    /// Spends steps along a curve.
     pub(super) fn walk(&mut self, steps: usize) {
         self.left -= ALONG * steps as f64;
     }
 
-    /// So many steps were tried; false if no more may be.
+    /// Spends steps. Returns false if no more are allowed.
     fn spend(&mut self, steps: f64) -> bool {
         self.left -= steps;
         self.left > 0.0
     }
 }
 
-/// The step of time that is asked for.
+/// The requested step of time.
 #[derive(Clone, Copy)]
 pub(super) struct Asked {
     pub from: f64,
@@ -79,21 +79,21 @@ impl Asked {
         (self.to - self.from).abs()
     }
 
-    /// No judged step is shorter than this.
+    /// Returns the shortest step that is tested.
     pub(super) fn shortest(self) -> f64 {
         (SHORTEST * self.whole()).max(resolution(self.from, self.to))
     }
 }
 
-/// A solver that takes single steps of time.
+/// A solver that makes single steps of time.
 pub(super) trait Stepping {
-    /// Why a step was not taken.
+    /// The reason why a step failed.
     type Trouble;
 
-    /// The position in hand becomes the last one.
+    /// Makes the present position the last one.
     fn keep(&mut self);
 
-    /// One step of time h to `target`, judged.
+    /// Makes and tests one step of time h to `target`.
     fn attempt(
         &mut self,
         h: f64,
@@ -101,17 +101,17 @@ pub(super) trait Stepping {
         asked: Asked,
     ) -> std::result::Result<Outcome, Self::Trouble>;
 
-    /// A step that is smaller than what was asked for has been taken.
+    /// Confirms a step that is smaller than the requested one.
     fn confirm(&mut self);
 
-    /// The last position is in hand again, and nothing that was seen beyond it.
+    /// Restores the last position and discards everything found beyond it.
     fn go_back(&mut self);
 
-    /// True if steps shorter than h help no more.
+    /// Returns true if steps shorter than h do not help.
     fn is_short(&mut self, h: f64, target: f64, asked: Asked, trouble: &Self::Trouble) -> bool;
 
-    /// On from t by other means, as far as `goal`, where shorter steps help no more; or the error
-    /// that ends the run.
+    /// Continues from t by other methods up to `goal`, if shorter steps do not help. Returns the
+    /// error that ends the run otherwise.
     fn give_up(
         &mut self,
         trouble: Self::Trouble,
@@ -121,17 +121,17 @@ pub(super) trait Stepping {
         asked: Asked,
     ) -> Result<Outcome>;
 
-    /// The work that the run may still spend.
+    /// Returns the work that the run may still spend.
     fn effort(&mut self) -> &mut Effort;
 
-    /// Why steps are not taken, where that is not that they are too long.
+    /// Returns why steps fail, if their length is not the reason.
     fn objection(trouble: &Self::Trouble) -> Option<&'static str>;
 
-    /// The words for lengths and times in messages.
+    /// Returns the names of the units for messages.
     fn units(&self) -> &Units;
 }
 
-/// From one solved time to the next; gives what the last step of time did.
+/// Moves from one solved time to the next and returns the outcome of the last step of time.
 #[inline(always)]
 pub(super) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outcome> {
     let Asked { from, to } = asked;
@@ -182,7 +182,7 @@ pub(super) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outc
     }
 }
 
-/// The error of a run that has spent its effort at time t.
+/// Builds the error of a run that has spent its effort at time t.
 #[cold]
 fn exhausted(stepper: &impl Stepping, t: f64, reason: &'static str) -> Error {
     Error::CannotFollow { t, units: stepper.units().clone(), reason, motion: None }

@@ -1,10 +1,10 @@
-//! Runs in which a program computes most times, many at once; every time is judged as single steps
-//! are.
+//! Runs in which a compiled program computes most times, many at once. Every time is tested as
+//! single steps are.
 //!
-//! Plain steps and blocks of the program take turns: a block begins at a plain step, which the
-//! program has to give the same q, q̇ and q̈ for, and ends at another one, which is judged from the
-//! block's last time. Any objection hands the rest of the block to plain steps, so halving,
-//! toggles, change points and errors have one implementation.
+//! Single steps and blocks of the program alternate. A block begins at a single step, for which the
+//! program must give the same q, q̇ and q̈. It ends at another single step, which is tested from
+//! the block's last time. Any objection returns the rest of the block to the step-by-step solver.
+//! So halving, toggles, change points and errors have one implementation.
 
 mod block;
 mod cases;
@@ -30,19 +30,19 @@ use block::Block;
 pub(crate) use cases::{Cases, Varied};
 pub(crate) use position::position;
 
-/// After blocks that came to nothing so many times more are left to plain steps, up to this many.
+/// After blocks without a result, this many times more are left to single steps, up to this limit.
 const PATIENCE: usize = 64;
 
-/// From so many times on a program may pay, and so many times a node of a constraint's equation:
-/// compiling takes what 1200 plain steps of a four-bar take more than those of its program, and
-/// 4000 of a platform.
+/// The number of times from which a program is faster, and the number of times for each node of a
+/// constraint's equation. Measured: compiling costs as much as the program saves in 1200 single
+/// steps of a four-bar, and in 4000 of a platform.
 const ENOUGH: usize = 1000;
 const A_NODE: usize = 20;
 
-/// From so many times on a program pays that was compiled before.
+/// The number of times from which an existing program is faster.
 const FEWEST: usize = 32;
 
-/// True if anything is known to stand in the way of a program, before a pose is.
+/// Returns a known obstacle to a program, before a pose exists.
 pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     if system.n_equations() != system.n_coordinates() {
         return Err(Refusal { constraint: String::new(), reason: REDUNDANT });
@@ -54,14 +54,14 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     }
 }
 
-/// The error for a mechanism that cannot be compiled.
+/// Builds the error for a mechanism that cannot be compiled.
 pub(crate) fn refused(refusal: &Refusal) -> Error {
     let reason = format!("{refusal}; {}", Surface::chosen().any_engine());
     Error::InvalidOptions { reason }
 }
 
-/// The means that compute the times of a run: found out at the first one, and the same for all its
-/// parts.
+/// The engine that computes the times of a run. It is selected at the first time and serves all
+/// parts of the run.
 pub(crate) struct Computing {
     wanted: Wanted,
     lanes: Lanes,
@@ -69,13 +69,13 @@ pub(crate) struct Computing {
     /// True of a run in parts: the first one begins the run, and is checked as a first run is.
     in_parts: bool,
     tape: Option<(Arc<Tape>, Case)>,
-    /// Why there is no program, where one was looked for.
+    /// Why there is no program, if the run looked for one.
     plain: Option<Arc<str>>,
 }
 
 impl Computing {
-    /// As these options ask for it, for so many times. Errors: options that a program does not
-    /// know, where one is asked for.
+    /// Selects the engine for these options and this number of times. Errors: options that a
+    /// program does not support, if the user requires one.
     pub(crate) fn new(system: &System, times: usize, options: &SolverOptions) -> Result<Self> {
         let (wanted, plain) = wanted(system, times, options)?;
         Ok(Computing {
@@ -88,20 +88,20 @@ impl Computing {
         })
     }
 
-    /// By this tape, or plain for that reason.
+    /// Runs with this tape, or with the step-by-step solver for the given reason.
     fn by(tape: Option<(Arc<Tape>, Case)>, plain: Option<Arc<str>>, lanes: Lanes) -> Self {
         Computing { wanted: Wanted::Plain, lanes, begun: false, in_parts: false, tape, plain }
     }
 
-    /// The same of a run in parts: numbers must not hang on where parts end, so that a program
-    /// computes them only where it is asked for by name.
+    /// Selects the engine of a run in parts. Results must not depend on where parts end, so a
+    /// program is used only if the user names it.
     pub(crate) fn in_parts(system: &System, options: &SolverOptions) -> Result<Self> {
         let times = if options.engine == Engine::Compiled { usize::MAX } else { 0 };
         Ok(Computing { in_parts: true, ..Self::new(system, times, options)? })
     }
 
-    /// Position, velocity and acceleration at each of the times, the next ones of the run, into a
-    /// motion that has none yet.
+    /// Computes position, velocity and acceleration at the next times of the run and appends them
+    /// to the motion, which does not contain them yet.
     pub(crate) fn run(
         &mut self,
         run: &mut Run<'_>,
@@ -124,7 +124,7 @@ impl Computing {
         done
     }
 
-    /// Makes the program, at the first position.
+    /// Makes the program at the first position.
     fn begin(&mut self, run: &mut Run<'_>, first: f64, motion: &mut Motion) -> Result<()> {
         if self.wanted == Wanted::Plain {
             return Ok(());
@@ -148,7 +148,7 @@ impl Computing {
     }
 }
 
-/// All times that the motion does not have yet by a tape, where the machine has lanes.
+/// Computes all remaining times with a tape, if the machine has SIMD.
 fn replay(
     run: &mut Run<'_>,
     times: &[f64],
@@ -162,7 +162,7 @@ fn replay(
     }
 }
 
-/// Times of a run, on their way to the lanes of the machine.
+/// Times of a run, passed to the SIMD lanes of the machine.
 struct Work<'x, 'a> {
     run: &'x mut Run<'a>,
     times: &'x [f64],
@@ -195,17 +195,17 @@ impl WithLevel for Work<'_, '_> {
     }
 }
 
-/// The way that a run is computed.
+/// The required engine.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Wanted {
     Plain,
-    /// By a program where there can be one.
+    /// A program if possible.
     Tried,
     Compiled,
 }
 
-/// The way that these options ask for, for so many times, and what stands in the way of a program
-/// that would have paid. Errors: options that a program does not know, where one is asked for.
+/// Returns the engine for these options and this number of times, with the obstacle to a program
+/// that would be faster. Errors: options that a program does not support, if the user requires one.
 fn wanted(
     system: &System,
     times: usize,
@@ -219,7 +219,7 @@ fn wanted(
             reason: format!("{reason}; {} for that", Surface::chosen().any_engine()),
         }),
         (Engine::Auto, _) if !pays(system, times, options) => Ok((Wanted::Plain, None)),
-        // The protocol of published comparisons is that of single steps.
+        // The protocol of published comparisons uses single steps.
         (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => {
             Ok((Wanted::Plain, Some("a stop rule by the residual alone is that of plain steps")))
         }
@@ -228,7 +228,8 @@ fn wanted(
     }
 }
 
-/// True if so many times take longer by plain steps than to be compiled and computed by a program.
+/// Returns true if this number of times takes longer with single steps than compiling and running a
+/// program.
 fn pays(system: &System, times: usize, options: &SolverOptions) -> bool {
     if !options.jerk && programs::is_asked(system) {
         return times >= FEWEST;
@@ -236,7 +237,7 @@ fn pays(system: &System, times: usize, options: &SolverOptions) -> bool {
     if times < ENOUGH {
         return false;
     }
-    // Constraints of one kind share their table.
+    // Constraints of one kind share their formula.
     let mut known: HashMap<*const Table, usize> = HashMap::new();
     let blocks = &system.equations().blocks;
     let nodes: usize = blocks

@@ -1,15 +1,15 @@
-//! Driven bodies are turned to where their drivers ask before anything else: a motor that stands at
-//! 300 turns when the run begins is no reason for 300 turns' worth of careful steps.
+//! Rotates driven bodies to their drivers before anything else. A motor that has made 300
+//! revolutions when the run begins should not cause 300 revolutions of careful steps.
 
 use super::{Newton, TURN};
 use crate::model::units::Unit;
 
-/// Rounds in which rows that are not linear in their angles are sorted out.
+/// The largest number of rounds in which rows that are nonlinear in their angles are excluded.
 const ROUNDS: usize = 64;
 
-/// Sets angles that are far from where a row of angles alone, all but this one known, puts them:
-/// drivers, and what follows them by equations between angles. A row that is not linear in its
-/// angle is left alone.
+/// Sets angles that are far from the value that a row of angles alone determines, if all its other
+/// angles are known: drivers, and angles that follow them. A row that is nonlinear in its angle is
+/// skipped.
 pub(super) fn turn(newton: &mut Newton<'_>, t: f64) {
     if newton.linearize(t).is_err() || follow(newton, t) {
         return;
@@ -33,8 +33,8 @@ pub(super) fn turn(newton: &mut Newton<'_>, t: f64) {
     }
 }
 
-/// The same all at once, every row taken as linear in its angles; false, and nothing done, if one
-/// was not.
+/// Sets all angles at once, with every row taken as linear. Returns false and changes nothing if
+/// one is not linear.
 fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
     if all_are_near(newton) {
         return true;
@@ -76,8 +76,8 @@ fn follow(newton: &mut Newton<'_>, t: f64) -> bool {
     linear
 }
 
-/// True if no row of angles alone is so far off that it could ask one of them to turn by [`TURN`].
-/// The first one that asks is as far off as it is before anything is turned.
+/// Returns true if no row of angles alone has a residual that could rotate one of them by [`TURN`].
+/// The residual of the first such row does not depend on other rotations.
 fn all_are_near(newton: &Newton<'_>) -> bool {
     let equations = newton.system.equations();
     let units = &newton.system.layout().units;
@@ -98,11 +98,11 @@ fn all_are_near(newton: &Newton<'_>) -> bool {
 /// The rows of angles alone, while their angles become known one after the other.
 struct Rows {
     c: Vec<f64>,
-    /// How many of its angles are not known, and the sum of their numbers; 0 for rows with other
-    /// coordinates.
+    /// The number of unknown angles of each row, and the sum of their indices; 0 for rows with
+    /// other coordinates.
     open: Vec<usize>,
     sum: Vec<usize>,
-    /// Rows and values of each angle.
+    /// The rows and values of each angle.
     columns: Vec<Vec<(usize, f64)>>,
 }
 
@@ -128,7 +128,7 @@ impl Rows {
         rows
     }
 
-    /// The only angle of a row that is not known, and its value there.
+    /// Returns the only unknown angle of a row, and its value there.
     fn only(&self, row: usize) -> Option<(usize, f64)> {
         (self.open[row] == 1).then(|| (self.sum[row], self.value(row, self.sum[row])))
     }
@@ -137,7 +137,8 @@ impl Rows {
         self.columns[column].iter().find(|known| known.0 == row).map_or(0.0, |known| known.1)
     }
 
-    /// An angle is known and has turned: the rows that have only one left.
+    /// Records that an angle is known and has rotated. Returns the rows with only one unknown angle
+    /// left.
     fn settle(&mut self, column: usize, dq: f64) -> Vec<usize> {
         for &(row, value) in &self.columns[column] {
             self.c[row] += value * dq;
@@ -152,10 +153,10 @@ impl Rows {
     }
 }
 
-/// Row, column and correction of each angle that one row determines by itself.
+/// Returns the row, column and correction of each angle that one row determines.
 fn asked(newton: &Newton<'_>, known: &[bool]) -> Vec<(usize, usize, f64)> {
     let units = &newton.system.layout().units;
-    // Of each row its only open column and the value there; `None` after a second one.
+    // For each row its only open column and the value there; `None` after a second one.
     let mut open: Vec<Option<Option<(usize, f64)>>> = vec![Some(None); newton.c.len()];
     for (entry, &value) in newton.system.equations().entries.iter().zip(newton.linear.values()) {
         let Some((row, column)) = entry.filter(|&(_, column)| value != 0.0 && !known[column])
@@ -178,7 +179,7 @@ fn asked(newton: &Newton<'_>, known: &[bool]) -> Vec<(usize, usize, f64)> {
     corrections.filter(|&(_, column, _)| !std::mem::replace(&mut taken[column], true)).collect()
 }
 
-/// Takes a turn back if its row is not met by it.
+/// Undoes a rotation if its row is not satisfied by it.
 fn keep_linear(newton: &mut Newton<'_>, t: f64, asked: &[(usize, usize, f64)]) {
     let before: Vec<f64> = asked.iter().map(|&(row, _, _)| newton.c[row].abs()).collect();
     let evaluated = newton.linearize(t).is_ok();

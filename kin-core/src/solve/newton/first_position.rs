@@ -1,31 +1,34 @@
-//! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly.
+//! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly. The phases
+//! are:
 //!
-//! Driven bodies are turned to their drivers first. Then, where nothing is preferred, damped Newton
-//! steps. Where they fail, or an assembly is preferred, damped least squares on C
-//! (Levenberg–Marquardt, which needs no regular C_q) with the preferred coordinates held softly,
-//! then ever more softly, then not at all; Newton ends it. Where that fails too, the same from a
-//! few other starts, always the same ones.
+//! 1. Driven bodies are rotated to their drivers.
+//! 2. Without preferences, damped Newton steps follow.
+//! 3. If they fail, or if an assembly is preferred, damped least squares on C (Levenberg–Marquardt,
+//!    which needs no regular C_q) follow. The preferred coordinates have a target whose weight
+//!    falls to zero. Newton's method ends this phase.
+//! 4. If this fails too, the same phases run from a few other starts, which are the same in every
+//!    run.
 //!
-//! A guess that meets every equation is an assembly, also where it is singular: it is refused by
-//! its name, and not left for another assembly unless that one is nearer to what is preferred.
+//! A guess that satisfies every equation is an assembly, even if it is singular. Kin reports it as
+//! singular and takes another assembly only if that is nearer to preferred values.
 
 use super::{Failure, Follow, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};
 use crate::solve::assembly::{self, search, turned_over};
 use crate::system::scale;
 
-/// A preferred coordinate that ends this near is in the preferred assembly.   \[rad, or typical
+/// A preferred coordinate that ends this close is in the preferred assembly. \[rad, or typical
 /// lengths\]
 const NEAR: f64 = std::f64::consts::FRAC_PI_4;
 
-/// An assembly that is nearer to what is preferred by less than this is the same one.   \[rad, or
+/// An assembly that is nearer to preferred values by less than this is the same one. \[rad, or
 /// typical lengths\]
 const OTHER: f64 = 1e-6;
 
-/// Sizes of guess and solution that differ by less than this factor are the same.   \[-\]
+/// Sizes of guess and solution that differ by less than this factor are equal. \[-\]
 const SAME: f64 = 1.25;
 
-/// Solves at the first time t from the system's guess; q̇ and q̈ too.
+/// Solves at the first time t from the system's guess, including q̇ and q̈.
 pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     if !newton.options.rescue {
         return from_start(newton, t, Steps::Full);
@@ -47,7 +50,7 @@ pub(crate) fn assemble(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     Ok(outcome)
 }
 
-/// Solves at time t from the point in hand by Newton steps of that kind; q̇ and q̈ too.
+/// Solves at time t from the present point by Newton steps of this kind, including q̇ and q̈.
 pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     measure(newton, t);
     if steps == Steps::Damped {
@@ -58,15 +61,14 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
     Ok(outcome)
 }
 
-/// Takes the characteristic sizes of the point in hand; without C_q if that is not finite there.
+/// Computes the characteristic sizes at the present point, without C_q if it is not finite there.
 fn measure(newton: &mut Newton<'_>, t: f64) {
     let finite = newton.linearize(t).is_ok();
     let sizes = sizes(newton, finite);
     take(newton, sizes);
 }
 
-/// Takes these sizes. Where the first look at the model was far off, the measures taken with it are
-/// worth nothing.
+/// Uses these sizes. If the first sizes were far off, the scales computed with them are discarded.
 fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
     if differ(&sizes, &newton.sizes, 8.0) {
         newton.linear.forget();
@@ -74,7 +76,7 @@ fn take(newton: &mut Newton<'_>, sizes: Vec<f64>) {
     newton.set_sizes(sizes);
 }
 
-/// Characteristic sizes of the point in hand, by its C_q if that is finite.
+/// Returns the characteristic sizes at the present point, from its C_q if it is finite.
 fn sizes(newton: &mut Newton<'_>, finite: bool) -> Vec<f64> {
     let system = newton.system;
     let layout = system.layout();
@@ -87,8 +89,7 @@ fn sizes(newton: &mut Newton<'_>, finite: bool) -> Vec<f64> {
     scale::sizes_with(&newton.turned, layout, equations, values, (&newton.q, t), system.links())
 }
 
-/// Takes the sizes by which steps of time are judged, where these are others, and solves once more
-/// with them.
+/// Uses the sizes for the check of steps of time, and solves again if they differ.
 fn take_reaches(newton: &mut Newton<'_>, t: f64) -> Result<()> {
     let system = newton.system;
     let reaches =
@@ -108,8 +109,8 @@ fn differ(sizes: &[f64], others: &[f64], factor: f64) -> bool {
         .any(|(size, other)| !(factor.recip()..factor).contains(&(size / other)))
 }
 
-/// Newton from the point in hand; then once more with the sizes of the solution, which takes no
-/// step, if they are others.
+/// Runs Newton's method from the present point. If the sizes at the solution differ, it runs again
+/// with them, which takes no step.
 fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     let tried = newton.solve(t, steps).or_else(|failure| match failure {
         // A derivative without bounds at an earlier start, such as that of an angle at its pole,
@@ -131,8 +132,8 @@ fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
     tried.map_err(|failure| newton.error(failure, t, None))
 }
 
-/// Damped Newton from the point in hand; where it ends with an axis turned by 180°, once more with
-/// that body turned over.
+/// Runs damped Newton from the present point. If it ends with an axis turned by 180°, it runs again
+/// with that body turned over.
 fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let tried = attempt(newton, t, Steps::Damped);
     if let Err(Error::WrongBranch { .. }) = tried
@@ -151,8 +152,8 @@ fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     tried
 }
 
-/// Start after start until one ends in the preferred assembly; else the nearest to it, else the
-/// error that says most.
+/// Runs start after start until one ends in the preferred assembly. Otherwise returns the nearest
+/// one, or the most informative error.
 fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let preferred = newton.system.preferred();
     let mut failure: Option<Error> = None;
@@ -203,8 +204,8 @@ fn search(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     }))
 }
 
-/// The error for a guess that meets every equation and is singular, and how far it is from what is
-/// preferred; `None` of other guesses.
+/// Returns the error for a guess that satisfies every equation and is singular, and its distance
+/// from preferred values. Returns `None` for other guesses.
 #[cold]
 fn drawn(newton: &mut Newton<'_>, guess: &[f64], t: f64) -> Option<(f64, Error)> {
     let model = newton.system.model();
@@ -223,7 +224,8 @@ fn drawn(newton: &mut Newton<'_>, guess: &[f64], t: f64) -> Option<(f64, Error)>
     Some((far, error))
 }
 
-/// A singular position says more than none, and a near miss more than a far one.
+/// Returns the more informative error: a singular position before none, and a near miss before a
+/// far one.
 fn more_telling(known: Option<Error>, new: Error) -> Error {
     let weight = |error: &Error| match error {
         Error::WrongBranch { .. } => (4, 0.0),
@@ -242,13 +244,13 @@ fn more_telling(known: Option<Error>, new: Error) -> Error {
     }
 }
 
-/// How far the worst preferred coordinate is from its value.
+/// Returns the distance of the worst preferred coordinate from its value.
 fn distance(newton: &Newton<'_>) -> f64 {
     assembly::distance(newton.system.layout(), newton.system.preferred(), &newton.q, &newton.sizes)
 }
 
-/// The guess, from the second start on with everything but the preferred coordinates moved at
-/// random.
+/// Sets the guess, and from the second start on the guess with random changes of everything except
+/// the preferred coordinates.
 fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
     let start = search::start_from(
         &newton.system.model(),
@@ -263,7 +265,8 @@ fn place(newton: &mut Newton<'_>, guess: &[f64], start: usize) {
     }
 }
 
-/// Damped least squares from the point in hand, the preferred coordinates held ever more softly.
+/// Runs damped least squares from the present point, with decreasing weights of the preferred
+/// coordinates.
 fn approach(newton: &mut Newton<'_>, t: f64) {
     if let Some(found) = search::descend(
         newton.system.model(),

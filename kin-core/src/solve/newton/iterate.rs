@@ -1,4 +1,4 @@
-//! Newton's iteration: one loop for a single position and for more equations than coordinates.
+//! Newton's iteration: one loop for single positions and for more equations than coordinates.
 
 mod greater;
 pub(super) mod single;
@@ -6,61 +6,62 @@ pub(super) mod single;
 use super::options::{SolverOptions, Stop};
 use crate::system::stop;
 
-/// The end of an iteration whose correction is within the tolerance.
+/// The end of an iteration with a correction within the tolerance.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Ending {
     /// A position.
     Found,
-    /// None: the equations are not met.
+    /// No position: the equations are not satisfied.
     Failed,
-    /// An equation jumps with the last correction, so the iteration goes on from the other branch.
+    /// An equation jumps with the last correction, so the iteration continues on the other branch.
     Jumped,
 }
 
-/// A position that is looked for by Newton's steps.
+/// A position that Newton's steps search.
 pub(super) trait Iterating {
-    /// Evaluates C and C_q at the point in hand, and factors C_q where it has changed; true where
-    /// both can be worked with.
+    /// Evaluates C and C_q at the present point, and factors C_q if it has changed. Returns true if
+    /// both are usable.
     fn look(&mut self) -> bool;
 
-    /// max |C_i|, rows as they are written.
+    /// Returns max |C_i| of unscaled rows.
     fn residual(&self) -> f64;
 
     /// Solves C_q dq = −C.
     fn solve(&mut self);
 
-    /// The largest of the next correction, each coordinate against its size; infinite where it is
-    /// not finite.
+    /// Returns the largest component of the next correction in units of the sizes, or infinity if
+    /// it is not finite.
     fn correction(&self) -> f64;
 
-    /// The same where rounding of large coordinates, which is no error, is allowed for
-    /// ([`stop::share`]).
+    /// Returns that component with an allowance for rounding of large coordinates, which is no
+    /// error ([`stop::share`]).
     fn correction_but_for_rounding(&self, tolerance: f64) -> f64;
 
-    /// True where C = 0 holds to the tolerance, each row by its own measure.
+    /// Returns true if C = 0 holds within the tolerance, each row relative to its norm.
     fn is_met(&mut self, tolerance: f64) -> bool;
 
-    /// True where C = 0 holds and a correction that no longer shrinks is rounding of coordinates
-    /// that are far from zero.
+    /// Returns true if C = 0 holds and a correction that no longer shrinks is rounding of
+    /// coordinates far from zero.
     fn rests(&mut self, correction: f64, tolerance: f64) -> bool;
 
-    /// True if an equation has jumped or passed a kink with the last step: then the correction may
-    /// have grown by that.
+    /// Returns true if an equation has jumped with the last step. Then the correction may have
+    /// grown.
     fn has_changed_branch(&mut self) -> bool;
 
-    /// The iteration has converged with a correction in hand, which costs nothing any more.
+    /// Ends the converged iteration. The last correction is already computed, so applying it is
+    /// free.
     fn end(&mut self) -> Ending;
 
-    /// q += dq, or less of it; true where that could be done.
+    /// Applies the correction, or a part of it. Returns true if that was possible.
     fn step(&mut self, correction: f64) -> bool;
 }
 
-/// Newton's method; true where it ends at a position, whose matrix is factored then. Corrections
-/// must shrink if the start is `near`.
+/// Runs Newton's method. Returns true if it ends at a position, whose matrix is then factored.
+/// Corrections must shrink if the start is `near`.
 #[inline(always)]
 pub(super) fn newton<I: Iterating>(point: &mut I, options: &SolverOptions, near: bool) -> bool {
     let mut previous = f64::INFINITY;
-    // Where only residuals count and steps are taken as they come, nobody asks for corrections.
+    // If only residuals count and steps need no test, corrections are not needed.
     let is_asked = options.rescue || matches!(options.stop, Stop::Converged { .. });
     let mut iteration = 0;
     loop {
@@ -77,7 +78,7 @@ pub(super) fn newton<I: Iterating>(point: &mut I, options: &SolverOptions, near:
         if is_asked {
             let tolerance = options.tolerance();
             correction = point.correction();
-            // Not a number is beyond the tolerance too.
+            // A NaN is beyond the tolerance too.
             let is_within = correction <= tolerance;
             if !is_within {
                 correction = point.correction_but_for_rounding(tolerance);

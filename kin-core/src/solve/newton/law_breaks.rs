@@ -1,4 +1,5 @@
-//! Which breaks of its laws a run crosses: between two times nothing shows them but the law itself.
+//! Finds the breaks of laws that a run crosses. Only the law itself shows what happens between two
+//! times.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,27 +9,27 @@ use crate::model::motion::CrossedBreak;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
-/// Breaks that a run lists at most; it goes on without listing more.
+/// The largest number of breaks that a run lists; further breaks are omitted.
 pub(crate) const MOST_CROSSED: usize = 100_000;
 
-/// The laws of a system that have breaks, and where they were asked last.
+/// The laws of a system that have breaks, with their last arguments.
 #[derive(Default)]
 pub(super) struct LawBreaks {
     asked: Vec<Asked>,
     last: Option<f64>,
 }
 
-/// One question to a law.
+/// One evaluation of a law.
 struct Asked {
     block: usize,
-    /// Which of the block's questions.
+    /// The index of the law in its constraint.
     number: usize,
     x: f64,
 }
 
 impl LawBreaks {
-    /// Looks at the laws at a time that was solved, and appends the breaks crossed since the last
-    /// one. A jump of a value, or of the slope of a law of time, is an error.
+    /// Examines the laws at a solved time and appends the breaks crossed since the last time. A
+    /// jump of a value, or of the slope of a law of time, is an error.
     #[inline(always)]
     pub(super) fn look(
         &mut self,
@@ -46,7 +47,7 @@ impl LawBreaks {
         Ok(())
     }
 
-    /// Asks every law with breaks, which was asked at the time `before`.
+    /// Examines every law with breaks between the time `before` and the present time.
     fn cross(
         &mut self,
         system: &System,
@@ -91,7 +92,7 @@ impl LawBreaks {
                 },
             );
             if let Some(CrossedBreak { constraint, law, found, .. }) = jumps {
-                // The run ends before them.
+                // The run ends before these breaks.
                 crossed.truncate(known);
                 return Err(Error::LawJumps {
                     t,
@@ -108,8 +109,8 @@ impl LawBreaks {
     }
 }
 
-/// The turns between two arguments of a law: an angle that went over its cut. Only a law that
-/// repeats is asked there.   \[rad\]
+/// Returns the full revolutions between two arguments of a law, if an angle crossed its cut. Only a
+/// law that repeats has any. \[rad\]
 fn turns(law: &Law, from: f64, to: f64) -> f64 {
     if (to - from).abs() > PI && law.is_periodic(TAU) {
         TAU * ((from - to) / TAU).round()
@@ -118,8 +119,8 @@ fn turns(law: &Law, from: f64, to: f64) -> f64 {
     }
 }
 
-/// The breaks of a law between two arguments, as many as there is room for; the first one that
-/// stops the run, if one does.
+/// Returns the breaks of a law between two arguments, as many as the list may contain, and the
+/// first one that stops the run.
 fn between(
     law: &Law,
     [from, to]: [f64; 2],
@@ -129,14 +130,14 @@ fn between(
     let all = if room > 0 { law.breaks(from, to) } else { Vec::new() };
     let full = room == 0 || all.len() >= MOST_BREAKS;
     let range = if all.is_empty() && !full { None } else { law.range() };
-    // At the ends of its range a law is what it is within.
+    // At the ends of its range a law has the derivatives of its inside.
     let passed = |b: &Break| match range {
         Some(range) if b.x == range.to => from.min(to) <= b.x && b.x < from.max(to),
         Some(range) if b.x == range.from => from.min(to) < b.x && b.x <= from.max(to),
         _ => b.x != from,
     };
     let here = all.iter().filter(|b| passed(b));
-    // The one that is met first.
+    // The break that the run reaches first.
     let mut jump =
         if to < from { here.clone().rfind(|b| stops(b)) } else { here.clone().find(|b| stops(b)) }
             .copied();
@@ -146,7 +147,7 @@ fn between(
     jump.map_or_else(|| Ok(here.take(room).copied().collect()), Err)
 }
 
-/// Every question to a law with breaks.
+/// Returns every evaluation of a law with breaks.
 fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
     let mut all = Vec::new();
     for (block, found) in system.equations().blocks.iter().enumerate() {
@@ -161,7 +162,7 @@ fn questions(system: &System, instant: &Instant) -> Vec<Asked> {
     all
 }
 
-/// True if the argument of a law moves with the time alone.
+/// Returns true if the argument of a law depends on time alone.
 fn is_of_time(system: &System, instant: &Instant, block: usize, wanted: usize, now: f64) -> bool {
     let block = &system.equations().blocks[block];
     let mut later = system.equations().at(block, instant).with_timed(&[]);

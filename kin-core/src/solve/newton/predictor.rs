@@ -1,10 +1,9 @@
-//! Prediction of the next position from what is known of the last ones.
+//! Predicts the next position from the last solutions.
 //!
-//! q + h q̇ + ½ h² q̈ from the last solution; after three equal steps of time the same from three:
-//! q̇ is interpolated by the polynomial that meets q̇ and q̈ at all three (Hermite), and integrated
-//! over the step, so that the error falls from h³ to h⁷. Where the grid is too coarse for that, the
-//! short formula is the better one: whichever would have been nearer at the last time is used for
-//! the next.
+//! The short formula is q + h q̇ + ½ h² q̈ from the last solution. After three equal steps of time
+//! the long formula is available: the polynomial through q̇ and q̈ at all three times (Hermite),
+//! integrated over the step, with an error of h⁷ instead of h³. If the grid is too coarse, the
+//! short formula is better. The formula that was nearer at the last time is used for the next.
 
 use wide::f64x4;
 
@@ -12,14 +11,14 @@ use super::largest;
 use crate::numbers::lanes::lanewise::gone;
 use crate::numbers::padded::Padded;
 
-/// Weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
+/// The weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
 const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
 const SECOND_RATES: [f64; 3] = [637.0 / 240.0, 4.5, 173.0 / 240.0];
 
 /// Steps of time that differ by less than this share are equal.   \[-\]
 const EQUAL: f64 = 1e-9;
 
-/// The steps of time that have come to an end: the last one, and how many equal ones there were.
+/// The finished steps of time: the length of the last one, and the number of equal ones.
 #[derive(Clone)]
 struct Pace {
     h: f64,
@@ -30,13 +29,13 @@ impl Pace {
     /// The pace of a run that has not begun.
     const NONE: Pace = Pace { h: f64::NAN, equal: 0 };
 
-    /// A step h has ended.
+    /// Records the end of a step h.
     fn advance(&mut self, h: f64) {
         self.equal = if is_same(h, self.h) { self.equal + 1 } else { 1 };
         self.h = h;
     }
 
-    /// True if the last three times lie a step h apart.
+    /// Returns true if the last three times are a step h apart.
     fn knows(&self, h: f64) -> bool {
         self.equal >= 2 && is_same(h, self.h)
     }
@@ -46,13 +45,13 @@ pub(super) fn is_same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 
-/// The position a step after the last solution, by the rates of three times that lie such a step
-/// apart.
+/// The position a step after the last solution, from the velocities and accelerations at three
+/// times with the same step.
 #[derive(Clone, Copy)]
 struct Long([f64x4; 3], [f64x4; 3]);
 
 impl Long {
-    /// For a step h.
+    /// Creates the weights for a step h.
     #[inline(always)]
     fn new(h: f64) -> Self {
         let all =
@@ -60,7 +59,7 @@ impl Long {
         Long(all(RATES, h), all(SECOND_RATES, h * h))
     }
 
-    /// From q and the rates, latest first.
+    /// Returns the position from q, and from the velocities and accelerations, latest first.
     #[inline(always)]
     fn position(&self, q: f64x4, [x, y, z]: [f64x4; 3], [u, v, w]: [f64x4; 3]) -> f64x4 {
         let Long([a, b, c], [d, e, f]) = *self;
@@ -68,7 +67,7 @@ impl Long {
     }
 }
 
-/// The rates at the two times before the last one, and which formula to trust.
+/// The velocities and accelerations at the two times before the last one, and which formula to use.
 #[derive(Clone)]
 pub(super) struct Predictor {
     past: [Rates; 2],
@@ -97,7 +96,7 @@ impl Predictor {
         Predictor { past: [rates(), rates()], pace: Pace::NONE, trusted: true }
     }
 
-    /// The position a step h after the last solution, into `q`.
+    /// Writes the position a step h after the last solution into `q`.
     pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Padded) {
         if self.trusted && self.pace.knows(h) {
             self.long(h, last)
@@ -108,16 +107,15 @@ impl Predictor {
         }
     }
 
-    /// The step h from the last solution has ended at `q` and took Newton steps: was the right
-    /// formula used?
+    /// Compares both formulas with the end `q` of the step h, which took Newton steps.
     pub(super) fn compare(&mut self, h: f64, last: Last<'_>, q: &[f64], sizes: &[f64]) {
         if self.pace.knows(h) {
             self.trusted = far(self.long(h, last), q, sizes) <= far(short(h, last), q, sizes);
         }
     }
 
-    /// A step h has ended: what was the last solution's is now the past, and its place is free for
-    /// new rates.
+    /// Records the end of a step h: the data of the last solution become the past, and their place
+    /// is free for new ones.
     pub(super) fn advance(&mut self, h: f64, qd: &mut Padded, qdd: &mut Padded) {
         self.pace.advance(h);
         self.past.swap(0, 1);
@@ -125,19 +123,19 @@ impl Predictor {
         std::mem::swap(&mut self.past[0].qdd, qdd);
     }
 
-    /// The step that has ended is taken back: the last solution's rates are what they were.
+    /// Undoes the step: restores the velocities and accelerations of the last solution.
     pub(super) fn retreat(&mut self, qd: &mut Padded, qdd: &mut Padded) {
         std::mem::swap(&mut self.past[0].qd, qd);
         std::mem::swap(&mut self.past[0].qdd, qdd);
         self.forget();
     }
 
-    /// Makes the rates of times older than the last one count no more.
+    /// Discards the data of times before the last one.
     pub(super) fn forget(&mut self) {
         self.pace = Pace::NONE;
     }
 
-    /// q̇ and q̈ before the step that has ended.
+    /// Returns q̇ and q̈ before the last step.
     pub(super) fn before(&self) -> [&Padded; 2] {
         [&self.past[0].qd, &self.past[0].qdd]
     }
@@ -158,13 +156,13 @@ fn quads(numbers: &Padded) -> impl Iterator<Item = f64x4> {
     numbers.whole().iter().map(|four| f64x4::new(*four))
 }
 
-/// q + h q̇ + ½ h² q̈
+/// Returns q + h q̇ + ½ h² q̈.
 fn short(h: f64, Last { q, qd, qdd }: Last<'_>) -> impl Iterator<Item = f64x4> {
     let (h, half) = (f64x4::splat(h), f64x4::splat(0.5 * h));
     quads(q).zip(quads(qd)).zip(quads(qdd)).map(move |((q, qd), qdd)| q + gone(h, half, [qd, qdd]))
 }
 
-/// How far a prediction is from where Newton ended, by the sizes of the coordinates.
+/// Returns the distance of a prediction from Newton's solution, in units of the coordinates' sizes.
 fn far(predicted: impl Iterator<Item = f64x4>, q: &[f64], sizes: &[f64]) -> f64 {
     largest(
         predicted

@@ -5,8 +5,8 @@ use crate::numbers::padded;
 use crate::system::evaluate::{Bad, JERK_RHS, finite};
 
 impl Newton<'_> {
-    /// q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that [`Newton::solve`] has
-    /// left factored.
+    /// Solves q̇ from C_q q̇ = −C_t and q̈ from C_q q̈ = Q_d, with the matrix that
+    /// [`Newton::solve`] has factored.
     pub(crate) fn rates(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         equations.velocity_rhs(&self.instant, self.linear.rhs_mut());
@@ -15,14 +15,14 @@ impl Newton<'_> {
         equations.set_rates(&self.qd, &mut self.instant);
         equations.acceleration_rhs(&self.instant, self.linear.rhs_mut());
         self.linear.solve();
-        // A right side that is not finite makes solutions that are not.
+        // A right side that is not finite makes a solution that is not finite.
         if !(padded::take(self.qdd.whole_mut(), self.linear.whole_solution()) && finite) {
             return Err(Failure::NotFinite(self.overflow()));
         }
         if self.options.jerk { self.jerk() } else { Ok(()) }
     }
 
-    /// q⃛ from C_q q⃛ = −g‴(0), with the same factors.
+    /// Solves q⃛ from C_q q⃛ = −g‴(0) with the same factors.
     fn jerk(&mut self) -> Result<(), Failure> {
         let equations = self.system.equations();
         let rhs = self.linear.rhs_mut();
@@ -39,8 +39,8 @@ impl Newton<'_> {
         ))
     }
 
-    /// |C_q⁻¹ (C_q v)_q v| by the sizes, with the matrix in hand; the rates of the instant are
-    /// lost.
+    /// Returns |C_q⁻¹ (C_q v)_q v| in units of the sizes, with the present matrix. It overwrites
+    /// the velocities of the instant.
     pub(crate) fn bend(&mut self, v: &[f64]) -> f64 {
         let equations = self.system.equations();
         equations.set_rates(v, &mut self.instant);
@@ -49,7 +49,7 @@ impl Newton<'_> {
         padded::largest_share(self.linear.whole_solution(), self.shares.whole())
     }
 
-    /// The entry of the right sides, or of their solutions, that is not finite.
+    /// Returns the entry of the right sides, or of their solutions, that is not finite.
     fn overflow(&mut self) -> Bad {
         let equations = self.system.equations();
         let own_row = |bad: Bad| Bad { row: self.worst().0, ..bad };

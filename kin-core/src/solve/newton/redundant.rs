@@ -1,9 +1,9 @@
-//! Mechanisms with more equations than coordinates, all of which can be met: the third crank of a
-//! parallelogram, a spatial four-bar of five-row revolutes, a slider in two guides.
+//! Mechanisms with more equations than coordinates, all of which can be satisfied: the third crank
+//! of a parallelogram, a spatial four-bar of five-row revolutes, a slider in two guides.
 //!
-//! As many independent equations are solved as there are coordinates, and the others asked to be
-//! met ([`crate::linear::Independent`]); where they may contradict one another a little
-//! ([`SolverOptions::allowed_misfit`]), all of them in the sense of least squares.
+//! Kin solves as many independent equations as there are coordinates and checks the others
+//! ([`crate::linear::Independent`]). If equations may contradict each other a little
+//! ([`Options::closure`]), it solves all of them by least squares.
 
 mod begin;
 mod errors;
@@ -30,8 +30,8 @@ use rows::Rows;
 use solver::Solver;
 pub(crate) use solver::solved;
 
-/// Equations at a solution may differ by this share of their terms in velocities; where their
-/// positions may, by so many times that.   \[-\]
+/// The permitted difference of equations in velocities, as a share of their terms. If positions may
+/// contradict each other, it is the second value times that contradiction. \[-\]
 pub(crate) const CONSISTENT: f64 = 1e-8;
 pub(crate) const ALLOWED: f64 = 30.0;
 
@@ -40,7 +40,7 @@ pub(crate) struct Stepper<'a> {
     system: &'a System,
     options: &'a SolverOptions,
     explain: Option<Explain>,
-    /// None before the first time.
+    /// `None` before the first time.
     position: Option<Position<'a>>,
     /// The smallest pivot of the equations that are solved, at the first time.   \[-\]
     pub(super) first_pivot: Option<f64>,
@@ -99,7 +99,7 @@ impl<'a> Stepper<'a> {
     }
 }
 
-/// Position, velocity and acceleration at one time; from the guess, or from a start that is near.
+/// Returns position, velocity and acceleration at one time, from the guess or from a start nearby.
 pub(crate) fn at(
     system: &System,
     t: f64,
@@ -128,7 +128,7 @@ pub(crate) fn at(
     })
 }
 
-/// The point in hand, and the means to go on from it.
+/// The present point, with workspace buffers.
 struct Position<'a> {
     system: &'a System,
     model: Model<'a>,
@@ -139,38 +139,40 @@ struct Position<'a> {
     instant: Instant,
     /// C and C_q at the last evaluation.
     point: Point,
-    /// The factor of each value of C_q that makes it of order 1.
+    /// For each value of C_q the factor that scales it to order 1.
     scales: Vec<f64>,
-    /// By these rows, and changes of coordinates, are of order 1; and 1 for what turns something.
+    /// The factors that scale rows and changes of coordinates to order 1; `turns` is 1 for
+    /// coordinates that rotate.
     row_shares: Padded,
     shares: Padded,
     turns: Padded,
     predictor: Predictor,
-    /// A right side, and the solution for it.
+    /// A right side and its solution.
     rhs: Padded,
     x: Padded,
     t: f64,
-    /// The last solution, while the next one is looked for.
+    /// The last solution, kept during the search for the next one.
     last: Padded,
     q: Padded,
     qd: Padded,
     qdd: Padded,
-    /// q⃛ where it is asked for, else empty.
+    /// q⃛ if it is computed, otherwise empty.
     qddd: Vec<f64>,
-    /// Evaluations since the last time, and Newton steps of those that have led to a position.
+    /// The number of evaluations since the last time, and of Newton steps that have led to a
+    /// position.
     steps: usize,
     iterations: usize,
     /// The row with the largest |C_i|.
     worst: usize,
-    /// The largest share of its norm that a row has been off by, where that was allowed.
+    /// The largest residual of a row as a share of its norm, if the options allow one.
     misfit: f64,
-    /// The motion of the drives between the ends of a step; taken out while it is asked.
+    /// The motion of the drivers between the ends of a step; `None` while it is in use.
     drive: Option<Drive>,
     effort: Effort,
 }
 
 impl Position<'_> {
-    /// To another time, in smaller steps of time where that is needed.
+    /// Moves to another time, in smaller steps of time if necessary.
     fn advance(&mut self, to: f64) -> Result<Outcome> {
         (self.steps, self.iterations) = (0, 0);
         self.effort.grant();
@@ -178,8 +180,8 @@ impl Position<'_> {
         Ok(Outcome { iterations: self.iterations, ..outcome })
     }
 
-    /// A step h has succeeded; the rates in hand are still those of the time before, and become the
-    /// past.
+    /// Records that a step h has succeeded. The present velocities still belong to the earlier time
+    /// and become the past.
     fn settle(&mut self, h: f64, iterations: usize) {
         if self.options.predict && iterations > 0 {
             let last = Last { q: &self.last, qd: &self.qd, qdd: &self.qdd };
@@ -188,7 +190,7 @@ impl Position<'_> {
         self.predictor.advance(h, &mut self.qd, &mut self.qdd);
     }
 
-    /// The error for a position that is not what is meant.
+    /// Returns the error for a position on a wrong branch, if it is on one.
     fn wrong(&self) -> Option<Error> {
         let equations = self.model.equations;
         equations
@@ -196,7 +198,7 @@ impl Position<'_> {
             .map(|block| equations.closes_wrong(block, self.model.layout, &self.instant))
     }
 
-    /// Newton's steps in the sense of least squares, which must shrink; on success the matrix at
+    /// Runs Newton's method by least squares; its steps must shrink. After success the matrix at
     /// the solution is factored.
     fn solve(&mut self, t: f64) -> Option<Outcome> {
         let options = self.options;
@@ -206,7 +208,7 @@ impl Position<'_> {
         found.then(|| self.outcome(iterations))
     }
 
-    /// True if a constraint that can jump has done so with the last correction.
+    /// Returns true if a constraint that can jump has done so with the last correction.
     fn has_jumped(&self, t: f64) -> bool {
         let met = |point: Point| self.model.met(&point, &self.q, &self.measures, &|_| true);
         !self.model.equations.jumping().is_empty()
@@ -230,7 +232,7 @@ impl Position<'_> {
         Outcome { iterations, residual }
     }
 
-    /// C and C_q at the point in hand, the matrix factored.
+    /// Evaluates C and C_q at the present point and factors the matrix.
     fn factor(&mut self, t: f64) -> Option<()> {
         let equations = self.model.equations;
         let Point { c, values } = &mut self.point;
@@ -244,15 +246,15 @@ impl Position<'_> {
         self.solver.factor(scaled).then_some(())
     }
 
-    /// C_q x = the right side in hand, whose rows are brought to order 1.
+    /// Solves C_q x = the present right side, with rows of order 1.
     fn solve_for_rhs(&mut self) {
         self.rhs.iter_mut().zip(&self.row_shares).for_each(|(rhs, share)| *rhs *= share);
         let y = self.solver.solve(&self.rhs);
         self.x.iter_mut().zip(y).zip(&self.measures.sizes).for_each(|((x, y), size)| *x = y * size);
     }
 
-    /// q̇ and q̈ with the matrix in hand, and q⃛ where it is asked for; `None` where they are not
-    /// finite or the equations ask for different ones.
+    /// Solves q̇ and q̈ with the present matrix, and q⃛ if it is computed. Returns `None` if they
+    /// are not finite, or if the equations contradict each other.
     fn rates(&mut self, t: f64) -> Option<()> {
         let equations = self.model.equations;
         equations.set_position(&self.q, &mut self.instant);
@@ -272,8 +274,8 @@ impl Position<'_> {
         Some(())
     }
 
-    /// Solves for the right side in hand; `None` where the solution is not finite or does not meet
-    /// every row.
+    /// Solves for the present right side. Returns `None` if the solution is not finite or does not
+    /// satisfy every row.
     fn agree(&mut self) -> Option<()> {
         finite(&self.rhs, "").ok()?;
         self.solve_for_rhs();
@@ -284,8 +286,8 @@ impl Position<'_> {
         (terms.is_finite() && padded::largest(self.rhs.whole()) <= share * terms).then_some(())
     }
 
-    /// The error for a time that cannot be reached from the position in hand, which is one that
-    /// `closes` or a guess of one.
+    /// Returns the error for a time that cannot be reached from the present position. `closes` says
+    /// whether that position satisfies the equations or is only a guess.
     fn blamed(&self, closes: bool, t: f64) -> Error {
         let start = if closes { Start::Pose(&self.q) } else { Start::Guess(&self.q) };
         match self.explain {
@@ -294,18 +296,18 @@ impl Position<'_> {
         }
     }
 
-    /// q, q̇, q̈, and q⃛ or nothing.
+    /// Returns q, q̇, q̈, and q⃛ or nothing.
     fn rows(&self) -> [&[f64]; 4] {
         [&self.q, &self.qd, &self.qdd, &self.qddd]
     }
 }
 
-/// Why a step of time was not taken.
+/// The reason why a step of time failed.
 enum Trouble {
     Unsolved,
-    /// A constraint closes the wrong way.
+    /// A constraint is on a wrong branch.
     Wrong(Error),
-    /// There is a position, and no rates that all equations agree on.
+    /// There is a position, but no velocities that satisfy all equations.
     Disagreed(Error),
     Objected(Objection),
 }
@@ -356,7 +358,7 @@ impl Stepping for Position<'_> {
         }
     }
 
-    /// No other means are known: singular positions of rectangular matrices are not passed.
+    /// There is no other method: Kin does not pass singular positions of rectangular matrices.
     fn give_up(
         &mut self,
         trouble: Trouble,

@@ -1,19 +1,19 @@
-//! Report on the present point: its solution, its worst row, and the reason if it is none.
+//! Reports on the present point: its solution, its worst row, or the reason why it is no solution.
 
 use super::{Failure, Newton, Outcome, Report};
 use crate::model::error::Error;
 use crate::system::Solution;
 
-/// A position whose smallest pivot is above this is not called singular, whatever has stopped
-/// Newton's method there.   \[-\]
+/// A position with a smallest pivot above this value is not called singular, whatever stopped
+/// Newton's method. \[-\]
 const REGULAR: f64 = 1e-6;
 
-/// A row that is off by more than this, of the norm of the row, is told as not met where C_q is
-/// singular.   \[-\]
+/// Where C_q is singular, a row with a residual above this share of its norm is reported as
+/// unsatisfied. \[-\]
 const UNMET: f64 = 1e-2;
 
 impl Newton<'_> {
-    /// The equation that is far from being met at the point in hand, if one is.
+    /// Returns the equation with a large residual at the present point, if there is one.
     fn unmet(&self) -> Option<Box<str>> {
         let shares =
             self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
@@ -22,13 +22,13 @@ impl Newton<'_> {
         (share > UNMET).then(|| self.system.equations().equation(row).into())
     }
 
-    /// The row with the largest |C_i|, and that; rows as they are written.
+    /// Returns the row with the largest |C_i|, and that value, for unscaled rows.
     pub(crate) fn worst(&self) -> (usize, f64) {
         let rows = self.c.iter().map(|c| c.abs()).enumerate();
         rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst })
     }
 
-    /// The present point as a solution, to keep.
+    /// Converts the present point to a solution.
     pub(crate) fn solution(self, t: f64, outcome: Outcome) -> Solution {
         let report = Report {
             iterations: self.steps,
@@ -45,7 +45,7 @@ impl Newton<'_> {
         Solution { t, q: self.q.to_vec(), qd: self.qd.to_vec(), qdd: self.qdd.to_vec(), report }
     }
 
-    /// The error that tells a failure in the user's names.
+    /// Converts a failure to an error with the user's names.
     pub(crate) fn error(&mut self, failure: Failure, t: f64, last: Option<f64>) -> Error {
         let equations = self.system.equations();
         match failure {
@@ -56,8 +56,8 @@ impl Newton<'_> {
                 equations.closes_wrong(block, self.system.layout(), &self.instant)
             }
             Failure::Singular => match self.system.singular(t, &self.q, self.unmet()) {
-                // The singular point that stopped the iteration was not there: the iterates went
-                // astray.
+                // The singular point that stopped the iteration was not the solution: the iterates
+                // were lost.
                 Error::SingularAt { pivot, .. } if pivot > REGULAR => {
                     let (row, residual) = self.worst();
                     self.error(Failure::NoConvergence { row, residual }, t, last)

@@ -11,11 +11,11 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 
-/// Asked before each plain step, with the number of times that are done: the run ends where it says
-/// no.
+/// A function that the run calls before each single step, with the number of finished times. The
+/// run ends if it returns false.
 pub(crate) type Progress<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
 
-/// Position, velocity and acceleration at each of the times.
+/// Computes position, velocity and acceleration at each of the times.
 pub(crate) fn run<'a>(
     system: &'a System,
     times: &[f64],
@@ -33,8 +33,7 @@ pub(crate) fn run<'a>(
     found
 }
 
-/// The same by given means, of times that were looked at, without the checks of a first run: a case
-/// of a sweep.
+/// Runs with a given engine, over times that were checked.
 pub(crate) fn run_by<'a>(
     system: &'a System,
     times: &[f64],
@@ -50,26 +49,26 @@ pub(crate) fn run_by<'a>(
     found
 }
 
-/// A run on its way from time to time.
+/// A run in progress.
 pub(crate) struct Run<'a> {
     system: &'a System,
     options: &'a SolverOptions,
     explain: Option<Explain>,
     stepper: AnyStepper<'a>,
     law_breaks: LawBreaks,
-    /// With the number of all times.
+    /// The progress function, with the number of all times.
     progress: Option<(Progress<'a>, usize)>,
 }
 
-/// The steps that advance a run.
+/// The solver that advances a run.
 enum AnyStepper<'a> {
     Plain(Box<Stepper<'a>>),
-    /// Those of a mechanism with more equations than coordinates.
+    /// The solver of a mechanism with more equations than coordinates.
     Redundant(Box<redundant::Stepper<'a>>),
 }
 
 impl<'a> Run<'a> {
-    /// A run that has not begun. Errors: options out of range, a jerk that is not known.
+    /// Creates a run that has not begun. Errors: options out of range, an unknown jerk.
     pub(crate) fn new(
         system: &'a System,
         options: &'a SolverOptions,
@@ -116,8 +115,7 @@ impl<'a> Run<'a> {
         times.iter().try_for_each(|t| self.reach(*t, motion))
     }
 
-    /// Solves at the next time and appends it to the motion, with what has been met since the last
-    /// one.
+    /// Solves at the next time and appends it to the motion, with the events since the last time.
     #[inline]
     pub(crate) fn reach(&mut self, t: f64, motion: &mut Motion) -> Result<()> {
         if let Some((progress, all)) = &mut self.progress
@@ -142,8 +140,8 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Appends the pose at time t to `motion`, reached by judged steps from time k of a known
-    /// motion: it is on the branch of that time. Errors: those of a run from there to t.
+    /// Appends the pose at time t to `motion`, reached by tested steps from time k of a known
+    /// motion. It is on the branch of that time. Errors: those of a run from there to t.
     pub(crate) fn go_from(
         &mut self,
         known: &Motion,
@@ -162,12 +160,13 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The system that runs.
+    /// Returns the system of the run.
     pub(super) fn system(&self) -> &'a System {
         self.system
     }
 
-    /// The plain steps; `None` of a mechanism with more equations than coordinates.
+    /// Returns the step-by-step solver, or `None` for a mechanism with more equations than
+    /// coordinates.
     pub(super) fn stepper(&self) -> Option<&Stepper<'a>> {
         match &self.stepper {
             AnyStepper::Plain(stepper) => Some(stepper),
@@ -175,7 +174,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The same, to be led elsewhere.
+    /// Returns the step-by-step solver, mutable.
     pub(super) fn stepper_mut(&mut self) -> Option<&mut Stepper<'a>> {
         match &mut self.stepper {
             AnyStepper::Plain(stepper) => Some(stepper),
@@ -183,7 +182,7 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// True if the ends of a step tell all that time does in between.
+    /// Returns true if the ends of a step show everything that time does in between.
     pub(super) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         match &mut self.stepper {
             AnyStepper::Plain(stepper) => stepper.ends_suffice(from, to, pivot),
@@ -191,7 +190,8 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// The same where what has no bounds is sampled, at the position of the later time.
+    /// Tests the ends of a step and samples equations without bounds, at the position of the later
+    /// time.
     pub(super) fn samples_suffice(
         &mut self,
         (from, to, q): (f64, f64, &[f64]),
@@ -204,21 +204,21 @@ impl<'a> Run<'a> {
         }
     }
 
-    /// Looks for breaks of laws on the way to a time that a program has solved.
+    /// Looks for breaks of laws on the way to a time that the compiled program has solved.
     pub(super) fn look(&mut self, instant: &Instant, motion: &mut Motion) -> Result<()> {
         self.law_breaks.look(self.system, instant, &mut motion.breaks)
     }
 
-    /// Plain steps go on from the last times of the motion, which a program has solved, the
-    /// smallest pivot being this.
+    /// Continues with the step-by-step solver after the last times of the motion, which the
+    /// compiled program has solved. `pivot` is the smallest pivot there.
     pub(crate) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         if let AnyStepper::Plain(stepper) = &mut self.stepper {
             stepper.go_on(motion, pivot);
         }
     }
 
-    /// The error that ends the run, with what was computed before and, if it is to be said, what is
-    /// wrong.
+    /// Completes the error that ends the run: adds the computed motion, and a diagnosis if the
+    /// options allow it.
     pub(crate) fn failed(&self, error: Error, motion: Motion) -> Error {
         let error = error.with_motion(motion);
         match (&self.stepper, self.explain) {
@@ -230,7 +230,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Times must be finite and strictly increasing or strictly decreasing.
+/// Checks that the times are finite and strictly increasing or strictly decreasing.
 pub(crate) fn check(times: &[f64]) -> Result<()> {
     let fail = |reason: String| Err(Error::InvalidTimes { reason });
     if times.is_empty() {
@@ -239,8 +239,8 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
             Surface::chosen().many_times()
         ));
     }
-    // Times increase as a rule; those between finite ends are finite then. All pairs are looked at
-    // without a way out, so that registers do it.
+    // Usually the times increase; then those between finite ends are finite. All pairs are compared
+    // without an early exit, so that the compiler can vectorise the loop.
     if times.windows(2).fold(true, |rise, pair| rise & (pair[0] < pair[1]))
         && (times[times.len() - 1] - times[0]).is_finite()
     {
@@ -268,7 +268,7 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
     }
 }
 
-/// The same of times that come one by one.
+/// Checks times that come one by one.
 #[derive(Default)]
 pub(crate) struct Order {
     /// The last two times.
@@ -276,14 +276,14 @@ pub(crate) struct Order {
 }
 
 impl Order {
-    /// One more time.
+    /// Checks one more time.
     pub(crate) fn check(&mut self, t: f64) -> Result<()> {
         let all: Vec<f64> = self.last.into_iter().flatten().chain([t]).collect();
         self.last = [self.last[1], Some(t)];
         check(&all)
     }
 
-    /// An error if there has been no time.
+    /// Returns an error if there was no time.
     pub(crate) fn some(&self) -> Result<()> {
         if self.last[1].is_some() { Ok(()) } else { check(&[]) }
     }

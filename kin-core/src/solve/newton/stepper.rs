@@ -1,4 +1,5 @@
-//! Plain steps of time: Newton's method from a prediction, judged by what follows the branch.
+//! The step-by-step solver: Newton's method from a prediction, and a test whether the step stays on
+//! its branch.
 
 mod beyond;
 mod resumed;
@@ -12,36 +13,36 @@ use crate::numbers::padded::{self, Padded};
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::system::System;
 
-/// A step in which nothing moves by more than this, and that is objected to all the same, leads
-/// past a singular position.   \[-\]
+/// If a step in which nothing moves by more than this fails its test, it leads past a singular
+/// position. \[-\]
 const SHORT: f64 = 0.05;
 
-/// The same of a step of this share of the time asked for, where hardly anything moves.   \[-\]
+/// The same limit for a step of this share of the requested step, in which hardly anything moves.
+/// \[-\]
 const AT_REST: f64 = 1.0 / 64.0;
 
-/// The last solved time, its point, and the means to go on from it.
+/// The last solved time and its point, with workspace buffers to continue.
 pub(super) struct Stepper<'a> {
     pub newton: Newton<'a>,
-    /// The last time with a solution, and its position, which a failure goes back to.
+    /// The last time with a solution and its position, to which a failure returns.
     last: Option<f64>,
     q: Padded,
-    /// Where the last failure was.
+    /// The position of the last failure.
     failed: Padded,
     predictor: Predictor,
     /// The smallest pivot of C_q at the first time.   \[-\]
     pub first_pivot: Option<f64>,
     /// True if all present numbers are still those of the last solution.
     untouched: bool,
-    /// The check of each step, if one is asked for.
+    /// The test of each step; `None` if the options disable it.
     check: Option<Check>,
-    /// Singular positions that have been met since the last time, and how many bifurcations there
-    /// were before.
+    /// The singular positions since the last time, and the number of earlier bifurcations.
     pub passed: Vec<SingularPosition>,
     bifurcations: usize,
     effort: Effort,
 }
 
-/// Why a step of time was not taken.
+/// The reason why a step of time failed.
 pub(in crate::solve::newton) enum Trouble {
     Failed(Failure),
     Objected(Objection),
@@ -85,7 +86,7 @@ impl<'a> Stepper<'a> {
         Ok(Outcome { iterations: self.newton.steps - self.newton.steps_before, ..outcome })
     }
 
-    /// No step of time is shorter than this.
+    /// Returns the shortest step of time.
     fn shortest(&self, asked: Asked) -> f64 {
         match self.check {
             None => self.newton.options.smallest_step(asked.from, asked.to),
@@ -93,14 +94,14 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// True if a step is as short as plain steps of time become: then Newton's are damped.
+    /// Returns true if a step has the minimum length. Then Newton's steps are damped.
     #[cold]
     fn is_last_resort(&self, h: f64, asked: Asked) -> bool {
         self.check.is_none() && h.abs() <= self.shortest(asked)
     }
 
-    /// By how much anything moves in a step h from the last solution to `target`: by its rates, and
-    /// by what drives, which may have stood still.
+    /// Returns how far anything moves in a step h from the last solution to `target`: by its
+    /// velocities, and by drivers, which may have been at rest.
     #[cold]
     fn moved(&mut self, h: f64, target: f64) -> f64 {
         let newton = &mut self.newton;
@@ -119,8 +120,8 @@ impl<'a> Stepper<'a> {
         by_rates.max(driven)
     }
 
-    /// One step of time by Newton steps from the prediction; damped from the last solution if it is
-    /// the last resort.
+    /// Makes one step of time by Newton steps from the prediction; as a last resort by damped steps
+    /// from the last solution.
     #[inline(always)]
     fn step(&mut self, h: f64, target: f64, asked: Asked) -> std::result::Result<Outcome, Failure> {
         let newton = &mut self.newton;
@@ -143,14 +144,14 @@ impl<'a> Stepper<'a> {
         }
     }
 
-    /// True if rates of earlier times are needed.
+    /// Returns true if velocities of earlier times are needed.
     #[inline(always)]
     fn remembers(&self) -> bool {
         self.newton.options.predict || self.check.is_some()
     }
 
-    /// A step h has succeeded; the rates in hand are still those of the time before, and become the
-    /// past.
+    /// Records that a step h has succeeded. The present velocities still belong to the earlier time
+    /// and become the past.
     #[inline(always)]
     fn settle(&mut self, h: f64, outcome: Outcome) {
         self.untouched = true;
@@ -169,7 +170,7 @@ impl<'a> Stepper<'a> {
 impl Stepping for Stepper<'_> {
     type Trouble = Trouble;
 
-    /// The position in hand becomes the last one; a prediction writes all of the next anew.
+    /// Makes the present position the last one. A prediction overwrites all of the next one.
     #[inline(always)]
     fn keep(&mut self) {
         if self.newton.options.predict {
@@ -179,8 +180,8 @@ impl Stepping for Stepper<'_> {
         }
     }
 
-    /// One step of time, of those that are asked for at once, with its rates, judged; after trouble
-    /// the rates in hand are those before it.
+    /// Makes and tests one step of time with its velocities. After a failure the present velocities
+    /// are those before the step.
     #[inline(always)]
     fn attempt(
         &mut self,
@@ -208,7 +209,7 @@ impl Stepping for Stepper<'_> {
         self.newton.linear.confirm();
     }
 
-    /// The last solution is in hand again, and nothing that was seen beyond it.
+    /// Restores the last solution and discards everything found beyond it.
     #[cold]
     fn go_back(&mut self) {
         self.failed.copy_from_slice(&self.newton.q);
@@ -217,21 +218,21 @@ impl Stepping for Stepper<'_> {
         self.untouched = false;
     }
 
-    /// True if shorter steps of time to `target` than this will help no more, by the coordinates
-    /// that move in it.
+    /// Returns true if steps of time to `target` that are shorter than this will not help, from the
+    /// coordinates that move in it.
     fn is_short(&mut self, h: f64, target: f64, asked: Asked, trouble: &Trouble) -> bool {
         let shortest = self.shortest(asked);
         if self.check.is_none() {
             return !self.newton.options.rescue || h.abs() <= shortest;
         }
         let unseen = match trouble {
-            // Shorter ones always help.
+            // Shorter steps always help.
             Trouble::Objected(Objection::Long | Objection::Hidden) => f64::INFINITY,
             Trouble::Objected(Objection::Missed(off)) => *off,
             _ => 0.0,
         };
         let moved = self.moved(h, target).max(unseen);
-        // Where all stands still the rates say little.
+        // If everything is at rest, velocities say little.
         let moves = moved >= 0.1 * SHORT || h.abs() <= AT_REST * asked.whole();
         (moved <= SHORT && moves) || h.abs() <= shortest
     }

@@ -1,4 +1,4 @@
-//! One constraint in a system, and where its numbers stand.
+//! One constraint in a system, with the places of its numbers.
 
 use std::ops::Range;
 
@@ -9,18 +9,18 @@ use crate::model::constraint::Constraint;
 pub(crate) struct Block {
     pub name: String,
     pub constraint: Box<dyn Constraint>,
-    /// Where its numbers of time, its arguments, its rows and its values stand.
+    /// The places of its numbers of time, its arguments, its rows and its values of C_q.
     pub(super) timed: Span,
     pub(super) arguments: Span,
     pub(super) rows: Span,
     pub(super) values: Span,
-    /// True if none of its values of C_q ever changes.
+    /// True if all its values of C_q are constant.
     pub(super) constant: bool,
-    /// True if the constraint drives.
+    /// True for a driver.
     pub drives: bool,
 }
 
-/// A stretch of a list. 32 bits: no sum of two overflows, so that taking it costs one check.
+/// A range of a list. With 32 bits no sum overflows, so taking the range costs one check.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Span {
     pub first: u32,
@@ -38,17 +38,17 @@ impl Span {
 }
 
 impl Block {
-    /// Where its rows stand among all rows.
+    /// Returns the place of its rows among all rows.
     pub(crate) fn rows(&self) -> Range<usize> {
         self.rows.range()
     }
 
-    /// Where its values stand among all values of C_q.
+    /// Returns the place of its values among all values of C_q.
     pub(crate) fn values(&self) -> Range<usize> {
         self.values.range()
     }
 
-    /// Name of local row `k`; empty for a constraint of one row.
+    /// Returns the name of local row `k`, or an empty text for a constraint of one row.
     pub(crate) fn row(&self, k: usize) -> &str {
         match self.constraint.facts().rows {
             [_] => "",
@@ -56,7 +56,7 @@ impl Block {
         }
     }
 
-    /// Name of the equation in local row `k`, such as `A.x`.
+    /// Returns the name of the equation in local row `k`, such as `A.x`.
     pub(crate) fn equation(&self, k: usize) -> String {
         match self.row(k) {
             "" => self.name.clone(),
@@ -65,7 +65,7 @@ impl Block {
     }
 }
 
-/// The numbers from that place on: a constraint knows how many of them are its own.
+/// Returns the numbers from index `first` on. The constraint knows how many of them it owns.
 #[inline(always)]
 pub(super) fn from(all: &[f64], first: u32) -> &[f64] {
     &all[first as usize..]

@@ -1,4 +1,4 @@
-//! Which expression of which constraint is to blame, in the names of the mechanism.
+//! Finds the expression that caused a value which is not finite, with the names of the mechanism.
 
 use super::Block;
 use crate::model::blame::{Asked, Blame, Culprit, Found, Input, Term};
@@ -6,7 +6,7 @@ use crate::model::layout::Layout;
 use crate::model::state::{At, Rates};
 
 impl Culprit {
-    /// Asks a constraint of a system why a term of its local row `row` is not finite.
+    /// Returns the reason why a term of local row `row` of a constraint is not finite.
     pub(crate) fn of(
         block: &Block,
         layout: &Layout,

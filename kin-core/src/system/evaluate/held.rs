@@ -1,4 +1,4 @@
-//! Effects of time alone on a constraint, its coordinates held.
+//! The effect of time alone on a constraint, with constant coordinates.
 
 use std::collections::HashMap;
 
@@ -8,10 +8,10 @@ use crate::model::formula::Table;
 use crate::model::formula::sides::{Numbers, choices, kinks};
 use crate::model::formula::time::can_jump;
 
-/// A row that was met and is off by this many times what it may be has jumped.   \[-\]
+/// A row that was satisfied and now exceeds its allowance by this factor has jumped. \[-\]
 const FAR: f64 = 100.0;
 
-/// ∂C_i/∂q_j of a row, where it is the same for good.
+/// ∂C_i/∂q_j of a row; the number if it is constant.
 #[derive(Clone)]
 struct Slope {
     column: usize,
@@ -19,9 +19,9 @@ struct Slope {
 }
 
 impl Equations {
-    /// The constraints whose C can change with the time at the same q.
+    /// Returns the constraints whose C can change with the time at constant q.
     pub(crate) fn moved_by_time(&self) -> impl Iterator<Item = usize> {
-        // Those written by hand need not say so, and have been looked at: see `find_drivers`.
+        // Hand-written constraints need not declare this; `find_drivers` has tested them.
         let moves = |block: &Block| {
             let facts = block.constraint.facts();
             facts.dependence.c_on_t && (block.drives || facts.route() != Route::Hand)
@@ -29,10 +29,11 @@ impl Equations {
         self.blocks.iter().enumerate().filter(move |(_, block)| moves(block)).map(|(k, _)| k)
     }
 
-    /// The constraints whose C can jump where coordinates move, or of which that is not known.
+    /// Returns the constraints whose C can jump when coordinates move, or for which this is
+    /// unknown.
     pub(crate) fn jumping(&self) -> &[usize] {
         self.jumping.get_or_init(|| {
-            // Constraints of one kind share their table.
+            // Constraints of one kind share their formula.
             let mut known: HashMap<*const Table, bool> = HashMap::new();
             let mut jumps = |block: &Block| {
                 let jumps = block.constraint.formula(|table, _, _| {
@@ -48,8 +49,8 @@ impl Equations {
         })
     }
 
-    /// The constraints with conditions or other kinks. On the dual route they are not known, and the
-    /// constraint counts as having none.
+    /// The constraints with conditions or other kinks. On the dual route they are not known, and
+    /// the constraint counts as having none.
     pub(crate) fn switching(&self) -> &[usize] {
         self.switching.get_or_init(|| {
             let switches = |block: &Block| {
@@ -84,7 +85,7 @@ impl Equations {
                 }
             }
         }
-        // A row with one coordinate left gives that.
+        // A row with one unknown coordinate determines it.
         let mut open: Vec<usize> = slopes.iter().map(Vec::len).collect();
         let mut given = vec![false; readers.len()];
         let mut count = 0;
@@ -106,8 +107,8 @@ impl Equations {
         count == self.rows
     }
 
-    /// True if a constraint that can jump is far from being met at q, which the instant is set to;
-    /// `allowed` is how far each row may be off.
+    /// Returns true if a constraint that can jump is far from satisfied at q. The instant must be
+    /// at q; `allowed` contains the allowance of each row.
     pub(crate) fn has_jumped(&self, q: &[f64], instant: &mut Instant, allowed: &[f64]) -> bool {
         self.set_position(q, instant);
         self.jumping().iter().map(|k| &self.blocks[*k]).any(|block| {
@@ -117,8 +118,8 @@ impl Equations {
         })
     }
 
-    /// The branches that constraints take at the position of the instant, as numbers that are
-    /// constant on each branch. Constraints whose formula is not known have none.
+    /// Appends the branches of all constraints at the instant, as numbers that are constant on each
+    /// branch. Constraints without a known formula have none.
     pub(crate) fn choices(&self, instant: &Instant, to: &mut Vec<f64>) {
         to.clear();
         for block in self.jumping().iter().map(|k| &self.blocks[*k]) {
@@ -147,7 +148,7 @@ impl Equations {
         });
     }
 
-    /// The coordinates of a constraint, one argument after the other.
+    /// Returns the coordinates of a constraint, argument after argument.
     pub(crate) fn columns_of(&self, block: &Block, instant: &Instant) -> Vec<f64> {
         let at = self.at(block, instant);
         let arguments = block.constraint.arguments();
@@ -158,8 +159,8 @@ impl Equations {
         all.copied().collect()
     }
 
-    /// C, C_t and C_tt of a constraint at another time, the position of the instant held; the
-    /// instant is of no use to others then.
+    /// Returns C, C_t and C_tt of a constraint at another time and the position of the instant.
+    /// Afterwards the instant is no longer valid for other constraints.
     pub(crate) fn held(&self, block: &Block, t: f64, instant: &mut Instant) -> [Vec<f64>; 3] {
         block.constraint.at_time(t, &mut instant.timed[block.timed.range()]);
         instant.t = t;
@@ -195,7 +196,7 @@ mod tests {
         m.build().expect("builds")
     }
 
-    /// x is given, but by a row that jumps.
+    /// A row that jumps determines x.
     #[constraint]
     fn by_steps(x: Coord, y: Coord) -> f64 {
         x + y.floor()

@@ -1,4 +1,5 @@
-//! Constraints laid out one after the other: rows, values, states, and who is asked for what.
+//! Lays constraints out one after the other: rows, values and states, and the lists of constraints
+//! for each term.
 
 use std::sync::OnceLock;
 
@@ -10,7 +11,7 @@ use crate::model::layout::{Layout, Place};
 use crate::system::states::{Planned, StatePlan};
 
 impl Equations {
-    /// Lays the constraints out one after the other. Their arguments must be of this layout.
+    /// Lays the constraints out one after the other. Their arguments must belong to this layout.
     pub(crate) fn new(layout: &Layout, constraints: Vec<(String, Box<dyn Constraint>)>) -> Self {
         let mut all = Equations {
             blocks: Vec::new(),
@@ -27,7 +28,7 @@ impl Equations {
         };
         let mut planned = Planned::new(layout.len());
         all.blocks.reserve_exact(constraints.len());
-        // Copies made in a row lie side by side in memory: a pass over all of them reads it from
+        // Copies made in a row are adjacent in memory, so a pass over all of them reads memory from
         // end to end.
         let copies: Vec<Box<dyn Constraint>> =
             constraints.iter().map(|(_, constraint)| constraint.clone()).collect();
@@ -38,7 +39,7 @@ impl Equations {
         all
     }
 
-    /// Constraint `k` is asked for what it has.
+    /// Adds constraint `k` to the lists of the terms that it has.
     fn ask(&mut self, k: usize) {
         let block = &self.blocks[k];
         let asked = &mut self.asked;
@@ -48,7 +49,8 @@ impl Equations {
         if !depends.curved {
             let entries = &self.entries[block.values()];
             let values = &self.constants[block.values()];
-            // On the ground coordinates are not zero, as those who tell take them to be.
+            // Constraints that write C(0, t) assume zero coordinates on the ground, which need not
+            // be zero.
             let can_tell = depends.c_on_t && entries.iter().all(Option::is_some);
             let is_whole = |first: &usize| {
                 first.saturating_add(3 * block.rows().len()) <= block.timed.len as usize
@@ -109,10 +111,10 @@ impl Equations {
         });
     }
 
-    /// Hand-written constraints need not say that they drive: it is seen from their values at a few
-    /// times.
+    /// Finds hand-written constraints that are drivers although they do not declare it: their
+    /// values change with time.
     pub(crate) fn find_drivers(&mut self, q: &[f64]) {
-        /// Times that no law repeats itself at.   \[s\]
+        /// Times at which no usual law repeats its value. \[s\]
         const TIMES: [f64; 4] = [0.0, 0.073_205_08, 0.414_213_56, 1.732_050_8];
         let silent = |block: &Block| {
             let facts = block.constraint.facts();

@@ -1,5 +1,5 @@
-//! Rows that are linear in the coordinates for good, as those of most drivers and of straight
-//! guides: C = C_q q + C(0, t). Their constraints are asked only when the time changes.
+//! Rows that are always linear in the coordinates, as those of most drivers and of straight guides:
+//! C = C_q q + C(0, t). Their constraints are evaluated only when the time changes.
 
 use std::ops::Range;
 
@@ -7,18 +7,18 @@ use std::ops::Range;
 #[derive(Clone, Debug, Default)]
 pub(super) struct LinearRows {
     rows: Vec<Row>,
-    /// Terms after the first one of each row, row by row.
+    /// The terms after the first one of each row, row by row.
     others: Vec<Term>,
 }
 
-/// One of all rows with its first term, and how many others it has.
+/// A row with its first term and the number of its other terms.
 #[derive(Clone, Copy, Debug)]
 struct Row {
     row: u32,
     others: u32,
     first: Term,
-    /// Where what it comes to at one time stands among the numbers of the time: C(0, t), and so
-    /// much further on each −C_t and −C_tt, which is all that Q_d has here.
+    /// The index of C(0, t) among the numbers of the time. −C_t and −C_tt follow at the stride of
+    /// the constraint; −C_tt is all of Q_d here.
     sides: u32,
     step: u32,
 }
@@ -37,7 +37,7 @@ impl Term {
     }
 }
 
-/// Which right side: −C_t, or Q_d.
+/// The right side to write: −C_t or Q_d.
 #[derive(Clone, Copy)]
 pub(super) enum Side {
     Velocity = 1,
@@ -45,9 +45,9 @@ pub(super) enum Side {
 }
 
 impl LinearRows {
-    /// Appends rows with the entries and values of C_q in them, whose numbers of the time begin at
-    /// `sides`: C(0, t) of all rows, −C_t, −C_tt; false if the values are not all known or a row
-    /// has none.
+    /// Appends rows with their entries and values of C_q. Their numbers of the time begin at
+    /// `sides`: C(0, t) of all rows, then −C_t, then −C_tt. Returns false if a value is not
+    /// constant or a row has no entry.
     pub(super) fn append(
         &mut self,
         rows: Range<usize>,
@@ -85,13 +85,14 @@ impl LinearRows {
         true
     }
 
-    /// C of these rows, with the numbers of the time.
+    /// Writes C of these rows from the coordinates and the numbers of the time.
     #[inline]
     pub(super) fn write(&self, q: &[f64], timed: &[f64], c: &mut [f64]) {
         let mut others = self.others.iter();
         for row in &self.rows {
             let mut sum = row.first.at(q);
-            // Coordinates first: the difference of two angles is small, and so is its rounding.
+            // Coordinates are added first: the difference of two angles is small, and so is its
+            // rounding.
             for _ in 0..row.others {
                 sum += others.next().map_or(0.0, |term| term.at(q));
             }

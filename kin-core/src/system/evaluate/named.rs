@@ -6,35 +6,36 @@ use crate::model::error::Error;
 use crate::model::layout::Layout;
 
 impl Equations {
-    /// The constraint that a global row belongs to, and its local row.
+    /// Returns the constraint of a global row, and its local row.
     pub(crate) fn block_of(&self, row: usize) -> Option<(&Block, usize)> {
         let block = self.blocks.get(self.block_index(row)?)?;
         Some((block, row - block.rows().start))
     }
 
-    /// The number of the constraint that a global row belongs to.
+    /// Returns the index of the constraint of a global row.
     pub(crate) fn block_index(&self, row: usize) -> Option<usize> {
         let index = self.blocks.partition_point(|block| block.rows().end <= row);
         (index < self.blocks.len()).then_some(index)
     }
 
-    /// Name of the equation in a global row, such as `A.x`.
+    /// Returns the name of the equation in a global row, such as `A.x`.
     pub(crate) fn equation(&self, row: usize) -> String {
         self.block_of(row).map(|(block, local)| block.equation(local)).unwrap_or_default()
     }
 
-    /// The constraints that can close the wrong way.
+    /// Returns the constraints that can be satisfied on the wrong branch.
     pub(crate) fn branches(&self) -> &[usize] {
         &self.asked.branches
     }
 
-    /// The fault of a position in which a constraint closes on the wrong branch, if it does.
+    /// Returns what is wrong with a position in which a constraint is on the wrong branch, if it
+    /// is.
     pub(crate) fn wrong_branch(&self, block: usize, instant: &Instant) -> Option<&str> {
         let block = self.blocks.get(block)?;
         block.constraint.wrong_branch(&self.at(block, instant))
     }
 
-    /// The first constraint that closes the wrong way, such as with an axis turned by 180°.
+    /// Returns the first constraint on the wrong branch, such as one with an axis turned by 180°.
     #[inline]
     pub(crate) fn first_wrong(&self, instant: &Instant) -> Option<usize> {
         self.asked
@@ -44,7 +45,7 @@ impl Equations {
             .find(|block| self.wrong_branch(*block, instant).is_some())
     }
 
-    /// The error for it.
+    /// Builds the error for a constraint on the wrong branch.
     pub(crate) fn closes_wrong(&self, block: usize, layout: &Layout, instant: &Instant) -> Error {
         let (name, kind) = self
             .blocks
@@ -63,7 +64,7 @@ impl Equations {
         }
     }
 
-    /// The error for what is not finite at an instant.
+    /// Builds the error for a value that is not finite at an instant.
     pub(crate) fn not_finite(&self, bad: Bad, layout: &Layout, instant: &Instant) -> Error {
         let found = self.block_of(bad.row);
         let culprit = found.map(|(block, row)| {

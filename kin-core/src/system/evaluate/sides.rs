@@ -1,4 +1,4 @@
-//! Right sides of a whole system: what asks for rates, beside C and C_q.
+//! The right sides of a whole system, for velocities, accelerations and the jerk.
 
 use super::linear::Side;
 use super::{Block, Equations, Instant};
@@ -7,7 +7,7 @@ use crate::model::error::surface::Surface;
 use crate::model::state::At;
 
 impl Equations {
-    /// −C_t, whether it is finite or not.
+    /// Evaluates −C_t and does not check whether it is finite.
     pub(crate) fn velocity_rhs(&self, instant: &Instant, rhs: &mut [f64]) {
         rhs.fill(0.0);
         for block in self.asked.c_t.iter().map(|&k| &self.blocks[k]) {
@@ -16,13 +16,13 @@ impl Equations {
         self.linear.write_side(Side::Velocity, &instant.timed, 1.0, rhs);
     }
 
-    /// Q_d, whether it is finite or not.
+    /// Evaluates Q_d and does not check whether it is finite.
     pub(crate) fn acceleration_rhs(&self, instant: &Instant, q_d: &mut [f64]) {
         self.second_order(instant, 1.0, q_d);
     }
 
-    /// −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the rates v of the instant, whether it is finite
-    /// or not.
+    /// Evaluates −[(C_q v)_q v + 2 ṫ C_qt v + ṫ² C_tt] along the velocities v of the instant and
+    /// does not check whether it is finite.
     pub(crate) fn second_order(&self, instant: &Instant, t_dot: f64, rhs: &mut [f64]) {
         rhs.fill(0.0);
         let mut at = At::new(instant.t, &instant.states, &[]);
@@ -38,8 +38,8 @@ impl Equations {
         self.linear.write_side(Side::Acceleration, &instant.timed, t_dot * t_dot, rhs);
     }
 
-    /// −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), along the rates of the instant and q̈,
-    /// whether it is finite or not.
+    /// Evaluates −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s) and does not check whether it is
+    /// finite.
     ///
     /// Errors: the first row of a constraint that does not know it.
     pub(crate) fn jerk_rhs(
@@ -68,8 +68,8 @@ impl Equations {
         Ok(())
     }
 
-    /// Measure k of a constraint with its first three derivatives, at rows of q, q̇, q̈ and q⃛ (or
-    /// nothing).
+    /// Returns measure k of a constraint with its first three derivatives, from rows of q, q̇, q̈
+    /// and q⃛ (or nothing).
     pub(crate) fn measure(
         &self,
         block: &Block,
@@ -88,7 +88,8 @@ impl Equations {
         block.constraint.measure(k, &self.at(block, &instant), &rates)
     }
 
-    /// The error for a constraint that does not know its part of the jerk, by one of its rows.
+    /// Builds the error for a constraint that does not know its part of the jerk, from one of its
+    /// rows.
     pub(crate) fn no_jerk(&self, row: usize) -> Error {
         let reason = format!("its part of the jerk is not known; {}", Surface::chosen().no_jerk());
         let [constraint, kind] = match self.block_of(row) {

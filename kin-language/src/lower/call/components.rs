@@ -3,7 +3,7 @@
 use super::*;
 
 impl Reader {
-    /// A constructor from its components.
+    /// Calls a constructor with its components.
     pub(super) fn make(&mut self, kind: Components, arguments: Vec<Value>, call: &Call) -> Value {
         match self.numbers(kind.len(), arguments, call) {
             Some(nodes) => kind.value(nodes),
@@ -11,7 +11,7 @@ impl Reader {
         }
     }
 
-    /// The arguments as `n` numbers.
+    /// Returns the arguments as `n` numbers.
     pub(super) fn numbers(
         &mut self,
         n: usize,
@@ -35,7 +35,7 @@ impl Reader {
         )
     }
 
-    /// Constructors and other functions of vector and matrix types.
+    /// Calls constructors and other functions of vector and matrix types.
     pub(super) fn associated(
         &mut self,
         ty: &str,
@@ -98,11 +98,11 @@ impl Reader {
         })
     }
 
-    /// A vector or matrix from an array, a tuple, or a value of its own kind.
+    /// Makes a vector or matrix from an array, a tuple, or a value of the same kind.
     fn made_from(&mut self, kind: Components, value: Value, call: &Call) -> Value {
         match value {
-            // A value that only rustc knows may be an array, a tuple or a vector: it is converted
-            // there.
+            // A value that only rustc knows may be an array, a tuple or a vector: emitted code
+            // converts it.
             Value::Opaque(template)
                 if matches!(kind, Components::Vector(_)) && template.nodes().is_empty() =>
             {
@@ -126,7 +126,7 @@ impl Reader {
         )
     }
 
-    /// The entries of n rows, given as an array of vectors or arrays.
+    /// Returns the entries of n rows, from an array of vectors or arrays.
     fn rows_of(&mut self, value: Value, n: usize, call: &Call) -> Read<Vec<Node>> {
         match value.referent() {
             Value::Matrix(side, m) if side == n => Ok(m),
@@ -138,14 +138,14 @@ impl Reader {
         }
     }
 
-    /// ã, with ã b = a × b.
+    /// Returns ã, with ã b = a × b.
     fn skew(&mut self, a: &[Node]) -> Vec<Node> {
         let zero = self.graph.zero();
         let minus = [a[0], a[1], a[2]].map(|n| self.graph.neg(n));
         vec![zero, minus[2], a[1], a[2], zero, minus[0], minus[1], a[0], zero]
     }
 
-    /// (cos φ/2, u sin φ/2)
+    /// Returns (cos φ/2, u sin φ/2).
     fn axis_angle(&mut self, axis: &[Node], angle: Node) -> Vec<Node> {
         let half = self.graph.constant(0.5);
         let half = self.graph.mul(half, angle);

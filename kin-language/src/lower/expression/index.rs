@@ -64,7 +64,7 @@ impl Reader {
         }
     }
 
-    /// `all[from..to]`
+    /// Reads `all[from..to]`.
     fn slice(&mut self, all: &[Value], range: &syn::ExprRange) -> Read {
         let (from, to) = self.bounds_of(range, all.len())?;
         let part =
@@ -72,7 +72,7 @@ impl Reader {
         Ok(Value::Array(part.to_vec()))
     }
 
-    /// The first place of a range, and the one behind its last.
+    /// Returns the first index of a range and the index after its last one.
     pub fn bounds_of(&mut self, range: &syn::ExprRange, length: usize) -> Read<(usize, usize)> {
         let mut bound = |end: &Option<Box<Expr>>, otherwise: usize| match end {
             None => Ok(otherwise),
@@ -112,8 +112,8 @@ impl Reader {
         }
     }
 
-    /// An element of an array by an index that is only known when the program runs: one of all of
-    /// them.
+    /// Reads an element of an array by an index that only the running program knows: the value is a
+    /// choice among all elements.
     fn element_at_run_time(&mut self, base: &Value, at: Template, index: &syn::ExprIndex) -> Read {
         match base.numbers() {
             Some((nodes, shape)) if !at.has_choice() => {

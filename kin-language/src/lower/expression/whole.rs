@@ -1,13 +1,14 @@
-//! Numbers turned into integers: one of several, where bounds of the number are known.
+//! Numbers converted to integers. If the bounds of the number are known, the result is a choice
+//! among several integers.
 
 use super::*;
 use kin_graph::{Comparison, Function2, Node, Op};
 
-/// So many integers a number may be turned into.
+/// The most integers in such a choice.
 const MOST_INTEGERS: i64 = 64;
 
 impl Reader {
-    /// `x.clamp(0.0, 9.0) as usize`: the integer below x, which is one of several.
+    /// Reads `x.clamp(0.0, 9.0) as usize`: the integer below x, as a choice among several.
     pub(super) fn whole_of(&mut self, x: Node, name: &str, cast: &syn::ExprCast) -> Read {
         let unknown = || Unreadable::new(&cast.as_token, "turning a number into an integer");
         let (low, high) = self.bounds(x).ok_or_else(unknown)?;
@@ -33,12 +34,12 @@ impl Reader {
             all.push((self.graph.and(reached, not_above), integer(k)));
             above = reached;
         }
-        // The lowest stands last, for `as` makes it of NaN too where it is 0.
+        // The lowest integer comes last, because `as` makes it from NaN too if it is 0.
         all.push((self.graph.not(above), integer(low)));
         Ok(if all.len() == 1 { integer(low) } else { Value::Choice(all) })
     }
 
-    /// Constants that a number lies between, as `clamp`, `min` and `max` say.
+    /// Returns constants between which a number lies, from `clamp`, `min` and `max`.
     fn bounds(&self, x: Node) -> Option<(f64, f64)> {
         let constant = |node: Node| self.graph.constant_value(node);
         match self.graph.op(x) {

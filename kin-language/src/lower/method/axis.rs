@@ -28,7 +28,7 @@ impl Reader {
     }
 }
 
-/// The steps of `Axis::along`.
+/// Returns the steps of `Axis::along`.
 fn axis() -> ItemFn {
     parse_quote! {
         fn axis(h: Vec3) -> [Vec3; 3] {
@@ -53,7 +53,7 @@ fn axis() -> ItemFn {
     }
 }
 
-/// The steps of `Axis::new`, and those of `Axis::along` where f is along h.
+/// Returns the steps of `Axis::new`, and those of `Axis::along` where f is along h.
 fn axis_near() -> ItemFn {
     let along = axis();
     parse_quote! {

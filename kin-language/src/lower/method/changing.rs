@@ -1,5 +1,5 @@
-//! Methods that change what they are called on: of arrays and lists, of iterators, of options, of
-//! the body's own types.
+//! Methods that change their receiver: of arrays and lists, of iterators, of options, and of types
+//! that the body declares.
 
 use syn::{Expr, ExprMethodCall, FnArg};
 
@@ -7,7 +7,7 @@ use crate::lower::scope::Place;
 use crate::lower::value::Value;
 use crate::lower::{Read, Reader, Unreadable};
 
-/// Methods that are read here.
+/// The methods that the interpreter reads.
 const READ: &[&str] = &[
     "swap",
     "reverse",
@@ -42,8 +42,8 @@ const READ: &[&str] = &[
 ];
 
 impl Reader {
-    /// The value of a method that changes its receiver; `None` if it is none, or the receiver is no
-    /// variable that is known here.
+    /// Calls a method that changes its receiver. The function returns `None` if the method does
+    /// not, or if the receiver is no variable with a known value.
     pub(super) fn changing_method(
         &mut self,
         name: &str,
@@ -110,7 +110,7 @@ impl Reader {
         }
     }
 
-    /// A method of the body's own changes its receiver if it takes `&mut self`.
+    /// Checks that the receiver may change, if a method of a type of the body takes `&mut self`.
     fn change_by(
         &mut self,
         receiver: &Expr,
@@ -188,7 +188,8 @@ impl Reader {
         }
     }
 
-    /// Neighbours are exchanged wherever the first is greater, as often as it can be necessary.
+    /// Sorts a list: exchanges neighbours wherever the first one is greater, as often as may be
+    /// necessary.
     fn sort(&mut self, all: &mut [Value], by: Value, whole: &ExprMethodCall) -> Read<()> {
         let f = self.function(by, &whole.args[0])?;
         for end in (1..all.len()).rev() {
@@ -210,7 +211,8 @@ impl Reader {
     }
 }
 
-/// The value of the closure that is handed to a method, or what is handed to it.
+/// Returns the first argument of a method, or its body if it is a closure; returns the whole call
+/// if it has no arguments.
 pub fn given(whole: &ExprMethodCall) -> &dyn quote::ToTokens {
     match whole.args.first() {
         Some(Expr::Closure(closure)) => &*closure.body,
@@ -234,12 +236,13 @@ fn strip(expression: &Expr) -> &Expr {
     }
 }
 
-/// True if a method takes `&mut self`.
+/// Returns true if a method takes `&mut self`.
 pub fn takes_itself(function: &syn::ItemFn) -> bool {
     matches!(function.sig.inputs.first(), Some(FnArg::Receiver(receiver)) if receiver.reference.is_some() && receiver.mutability.is_some())
 }
 
-/// The methods that give out places in a list of n, to be changed: references, halves, chunks.
+/// Calls a method that returns changeable places in a list of n elements: references, halves,
+/// chunks.
 fn places_in(
     place: &Place,
     n: usize,

@@ -1,4 +1,4 @@
-//! Methods of vectors, matrices and Euler parameters, by nalgebra's names.
+//! Methods of vectors, matrices and Euler parameters, under the names of nalgebra.
 
 use super::Call;
 use crate::lower::value::{Components, Value};
@@ -68,7 +68,7 @@ impl Reader {
         })
     }
 
-    /// Methods that vectors and Euler parameters have in common; `None` if it is another one.
+    /// Calls a method that vectors and Euler parameters share; returns `None` for any other method.
     fn common_method(&mut self, kind: Components, v: &[Node], call: &Call) -> Read<Option<Value>> {
         let count = match call.name.as_str() {
             "norm" | "norm_squared" | "normalize" | "to_array" => 0,
@@ -107,7 +107,7 @@ impl Reader {
         }))
     }
 
-    /// Each component through the function that is the first argument.
+    /// Applies the function in the first argument to each component.
     fn mapped(&mut self, nodes: &[Node], call: &Call) -> Read<Vec<Node>> {
         let f = self.function(call.arguments[0].clone().referent(), call.places[0])?;
         let each = nodes.iter().map(|&n| {
@@ -117,7 +117,7 @@ impl Reader {
         each.collect()
     }
 
-    /// The first argument, which is of the same kind as the receiver, or converts into it.
+    /// Returns the first argument, which has the kind of the receiver or converts into it.
     fn other(&mut self, kind: Components, call: &Call) -> Vec<Node> {
         let place = call.places[0];
         match (call.arguments[0].clone().referent(), kind) {
@@ -140,7 +140,7 @@ impl Reader {
         }
     }
 
-    /// a d − b c
+    /// Returns a d − b c.
     fn determinant2(&mut self, a: Node, b: Node, c: Node, d: Node) -> Node {
         let ad = self.graph.mul(a, d);
         let bc = self.graph.mul(b, c);

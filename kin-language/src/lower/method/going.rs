@@ -1,5 +1,4 @@
-//! Methods of arrays and iterators that pick something out of them, or go over them with a
-//! function.
+//! Methods of arrays and iterators that select elements, or that apply a function to each element.
 
 use super::Call;
 use super::changing::given;
@@ -11,7 +10,7 @@ use crate::lower::{Read, Reader, Unreadable};
 use kin_graph::Node;
 
 impl Reader {
-    /// One element, or some of them.
+    /// Calls a method that returns one element, or some of them.
     pub(super) fn picked(&mut self, mut all: Vec<Value>, call: &Call) -> Read {
         let count = match call.arguments.first() {
             None => 0,
@@ -44,7 +43,8 @@ impl Reader {
                 let last = all.pop().unwrap_or(Value::Poison);
                 option(Some(Value::Tuple(vec![borrowed(last), Value::Array(all)])))
             }
-            // Into an array: its length is right where rustc finds it so.
+            // The conversion into an array keeps the length, which rustc compares with the declared
+            // one.
             "try_into" => {
                 Ok(Value::Adt(crate::lower::value::Adt::new("Ok", Some(Value::Array(all)))))
             }
@@ -66,7 +66,7 @@ impl Reader {
         }
     }
 
-    /// With a function that is called for the elements one by one.
+    /// Calls a method that applies a function to the elements one by one.
     pub(super) fn gone_over(&mut self, all: Vec<Value>, call: &Call) -> Read {
         let Some(k) = call.arguments.len().checked_sub(1) else {
             return Err(Unreadable::new(&call.whole.method, "this method"));
@@ -93,7 +93,8 @@ impl Reader {
                 let best = all.try_fold(first, |best, value| {
                     let order =
                         self.apply(&f, vec![borrowed(&best), borrowed(&value)], &[], call)?;
-                    // Of equal ones the first is the least, and the last the greatest.
+                    // Among equal elements, the first one is the minimum and the last one the
+                    // maximum.
                     let worse = self.is_ordered(order, "Greater", given(call.whole))?;
                     let (held, other) = if is_min { (&value, &best) } else { (&best, &value) };
                     self.joined(worse, held, other, call)
@@ -118,7 +119,7 @@ impl Reader {
         }
     }
 
-    /// With a variable that goes along.
+    /// Reads `scan`: the function changes a variable from element to element.
     fn scanned(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
         if !self.counted(2, call) {
             return Ok(Value::Poison);
@@ -143,8 +144,8 @@ impl Reader {
         Ok(Value::Iterator(found))
     }
 
-    /// Up to an element, or from one on; one of several lists, where it depends on coordinates
-    /// which.
+    /// Cuts a list at the first element that fails a condition. If the position depends on
+    /// coordinates, the result is one of several lists.
     fn cut(&mut self, all: Vec<Value>, f: &Function, call: &Call) -> Read {
         let name = call.name.as_str();
         let takes = name == "take_while";
@@ -186,7 +187,7 @@ impl Reader {
         Ok(Value::Iterator(kept))
     }
 
-    /// How many conditions hold before the first one that does not.
+    /// Returns how many conditions hold before the first one that does not.
     fn count_before(&mut self, conditions: &[Node], call: &Call) -> Read {
         let mut count = Value::count(conditions.len());
         for (k, &condition) in conditions.iter().enumerate().rev() {
@@ -196,7 +197,7 @@ impl Reader {
         Ok(count)
     }
 
-    /// The first element whose condition holds, or its place.
+    /// Returns the first element whose condition holds, or its position.
     fn first_of(&mut self, all: &[Value], conditions: &[Node], call: &Call) -> Read {
         let mut found = Value::none();
         for (k, (value, &condition)) in all.iter().zip(conditions).enumerate().rev() {

@@ -1,4 +1,4 @@
-//! Methods of arrays, and of iterators over values known one by one.
+//! Methods of arrays, and of iterators over a known list of values.
 
 use syn::{BinOp, GenericArgument};
 
@@ -11,7 +11,7 @@ use crate::vocabulary::is_integer;
 use kin_graph::{Comparison, Graph, Node};
 
 impl Reader {
-    /// A method of an array (`array`) or of an iterator.
+    /// Calls a method of an array (if `array`) or of an iterator.
     pub(super) fn list_method(&mut self, all: Vec<Value>, array: bool, call: Call) -> Read {
         let call = &call;
         let iterator = |all: Vec<Value>| Ok(Value::Iterator(all));
@@ -160,7 +160,7 @@ impl Reader {
         }
     }
 
-    /// The elements whose conditions hold.
+    /// Returns the elements whose conditions hold.
     fn filtered(&mut self, all: &[Value], conditions: &[Node], call: &Call) -> Read {
         let mut kept = Value::Iterator(vec![]);
         for (value, &condition) in all.iter().zip(conditions) {
@@ -168,7 +168,8 @@ impl Reader {
             kept = match self.graph.truth(condition) {
                 Some(true) => longer,
                 Some(false) => kept,
-                // One of several lists, of which those of one length are joined element by element.
+                // The result is one of several lists; those of equal length join element by
+                // element.
                 None => self.joined(condition, &longer, &kept, call)?,
             };
         }
@@ -227,7 +228,7 @@ impl Reader {
         Ok(Value::Condition(any))
     }
 
-    /// The sum (`plus`) or product of integers, numbers, or vectors.
+    /// Returns the sum (if `plus`) or the product of integers, numbers, or vectors.
     fn folded(&mut self, all: Vec<Value>, plus: bool, call: &Call) -> Read {
         let given = call.whole.turbofish.as_ref().and_then(|given| match given.args.first() {
             Some(GenericArgument::Type(ty)) => Some(ty),
@@ -287,7 +288,7 @@ impl Reader {
     }
 }
 
-/// An iterator, or each of several, as an array.
+/// Returns an iterator, or each of several, as an array.
 fn collected(list: Value) -> Value {
     match list {
         Value::Iterator(all) => Value::Array(all),
@@ -298,7 +299,7 @@ fn collected(list: Value) -> Value {
     }
 }
 
-/// A list, or each of several, with one more element.
+/// Returns a list, or each of several, with one more element.
 fn lengthened(list: Value, value: &Value) -> Value {
     match list {
         Value::Iterator(mut all) => {

@@ -21,7 +21,7 @@ pub use changing::takes_itself;
 use kin_graph::Node;
 pub use scalar::KINDS_OF_NUMBERS;
 
-/// A method call: its name, its arguments' values, and their expressions for messages.
+/// A method call: its name, the values of its arguments, and their expressions for messages.
 struct Call<'a> {
     name: String,
     arguments: Vec<Value>,
@@ -43,7 +43,7 @@ impl Reader {
         self.method_with(whole, std::iter::once(receiver).chain(arguments).collect())
     }
 
-    /// A method of the first of some values, the others being its arguments.
+    /// Calls a method with the first value as the receiver and the others as arguments.
     pub fn method_with(&mut self, whole: &ExprMethodCall, mut all: Vec<Value>) -> Read {
         let name = whole.method.to_string();
         let places = whole.args.iter().collect::<Vec<_>>();
@@ -62,7 +62,7 @@ impl Reader {
         })
     }
 
-    /// A method of a value of one kind.
+    /// Calls a method of a value of one kind.
     fn method_of(&mut self, receiver: Value, call: Call) -> Read {
         let whole = call.whole;
         match (receiver, call.name.as_str(), &call.arguments[..]) {
@@ -117,7 +117,7 @@ impl Reader {
         }
     }
 
-    /// A method of a value of a struct or an enum.
+    /// Calls a method of a struct or an enum.
     fn method_of_own(&mut self, value: Value, call: Call) -> Read {
         let Value::Adt(adt) = &value else { return Ok(Value::Poison) };
         if call.name == "clone" && call.arguments.is_empty() {
@@ -139,7 +139,7 @@ impl Reader {
         self.mistake(&call.whole.method, format!("{receiver} has no method `{}`{cure}", call.name))
     }
 
-    /// Notes a mistake unless there are `count` arguments.
+    /// Returns true if there are `count` arguments, else reports a mistake.
     fn counted(&mut self, count: usize, call: &Call) -> bool {
         let found = call.arguments.len();
         if found != count {
@@ -149,7 +149,7 @@ impl Reader {
         found == count
     }
 
-    /// The arguments as numbers, if there are `count` of them.
+    /// Returns the arguments as numbers, if there are `count` of them.
     fn scalars_of(&mut self, count: usize, call: &Call) -> Option<Vec<Node>> {
         if !self.counted(count, call) {
             return None;
@@ -163,7 +163,7 @@ impl Reader {
         )
     }
 
-    /// `(low..=high).contains(&x)`
+    /// Reads `(low..=high).contains(&x)`.
     fn range_contains(&mut self, range: &syn::ExprRange, whole: &ExprMethodCall) -> Read {
         let (Some(x), 1) = (whole.args.first(), whole.args.len()) else {
             return Err(Unreadable::new(&whole.method, "this `contains`"));
@@ -189,7 +189,7 @@ impl Reader {
         Ok(Value::Condition(all))
     }
 
-    /// `law.at(x)` and `law.slope(x)`
+    /// Reads `law.at(x)` and `law.slope(x)`.
     fn law_method(&mut self, law: Template, call: &Call) -> Read {
         let order = match call.name.as_str() {
             "at" => 0,

@@ -10,9 +10,11 @@ use crate::parse::{Shape, literal_length};
 use crate::vocabulary::{is_integer, is_scalar_method, is_vector_method};
 
 impl Reader {
-    /// Where a number is needed for it to be read, a name of f64's vocabulary takes the receiver
-    /// for one, and a vector beside it takes it for a vector; unless the receiver is a parameter
-    /// itself, whose type is the user's.
+    /// Calls a method of a value that only rustc knows.
+    ///
+    /// If the interpreter needs the type of the receiver, a method name of f64 makes the receiver a
+    /// number, and a vector as argument makes it a vector. A receiver that is itself a parameter is
+    /// an exception: the user's program decides its type.
     pub(super) fn opaque_method(&mut self, template: Template, call: Call) -> Read {
         if matches!(call.name.as_str(), "iter" | "into_iter" | "len" | "windows" | "chunks" | "map")
             && let Some(all) = self.integers_of(&template)
@@ -67,8 +69,8 @@ impl Reader {
         }
     }
 
-    /// The elements of a parameter that is declared as an array of integers or conditions: its type
-    /// says how many there are.
+    /// Returns the elements of a parameter whose type is an array of integers or conditions; the
+    /// type gives their number.
     pub fn integers_of(&self, template: &Template) -> Option<Vec<Value>> {
         let Template::Parameter(name) = template else { return None };
         let syn::Type::Array(array) = self.parameter_types.get(&name.to_string())? else {
@@ -83,14 +85,15 @@ impl Reader {
         Some((0..n).map(at).collect())
     }
 
-    /// True if a value is a parameter that is declared as an `Option`.
+    /// Returns true if a value is a parameter of the type `Option`.
     fn is_option(&self, template: &Template) -> bool {
         let Template::Parameter(name) = template else { return false };
         let named = |ty: &syn::Type| matches!(ty, syn::Type::Path(path) if path.path.segments.last().is_some_and(|last| last.ident == "Option"));
         self.parameter_types.get(&name.to_string()).is_some_and(named)
     }
 
-    /// A method of an `Option` that only rustc knows: of `Some` of what is in it, or of `None`.
+    /// Calls a method of an `Option` that only rustc knows: once with `Some` and the inner value,
+    /// and once with `None`.
     fn option_at_run_time(&mut self, template: Template, call: &Call) -> Read {
         let held: syn::Pat = syn::parse_quote!(Some(held));
         self.scopes.push();

@@ -5,8 +5,8 @@ use crate::lower::value::{Adt, Value};
 use crate::lower::{Read, Reader, Unreadable};
 use kin_graph::Node;
 
-/// Methods of `Option` that a value only rustc knows is taken for one by, where a closure is handed
-/// to it.
+/// Methods of `Option` with a closure as argument. The interpreter takes a receiver that only rustc
+/// knows for an `Option` if it has one of these.
 pub const WITH_CLOSURES: &[&str] = &[
     "map",
     "map_or",
@@ -20,7 +20,7 @@ pub const WITH_CLOSURES: &[&str] = &[
 ];
 
 impl Reader {
-    /// A method of `Some(x)`, `None`, `Ok(x)` or `Err(e)`.
+    /// Calls a method of `Some(x)`, `None`, `Ok(x)` or `Err(e)`.
     pub(super) fn option_method(&mut self, adt: Adt, call: &Call) -> Read {
         let held = matches!(adt.name.as_str(), "Some" | "Ok");
         let inner = adt.fields.first().map(|(_, value)| value.clone()).unwrap_or(Value::Unassigned);
@@ -87,7 +87,7 @@ impl Reader {
         }
     }
 
-    /// From an `Option` to a `Result` and back.
+    /// Converts an `Option` into a `Result`, or a `Result` into an `Option`.
     fn between(&mut self, adt: Adt, call: &Call) -> Read {
         let held = matches!(adt.name.as_str(), "Some" | "Ok");
         let inner = adt.fields.first().map(|(_, value)| value.clone());
@@ -122,7 +122,7 @@ impl Reader {
         })
     }
 
-    /// `condition.then(|| value)` and `condition.then_some(value)`
+    /// Reads `condition.then(|| value)` and `condition.then_some(value)`.
     pub(super) fn condition_method(&mut self, holds: Node, call: &Call) -> Read {
         match (call.name.as_str(), &call.arguments[..]) {
             ("then", [f]) => {

@@ -1,4 +1,5 @@
-//! `Ordering`: what `total_cmp` and its like give, and what is made of it.
+//! The type `Ordering`: the results of `total_cmp` and similar methods, and the methods of these
+//! results.
 
 use quote::ToTokens;
 
@@ -8,7 +9,7 @@ use crate::lower::{Read, Reader, Unreadable};
 use kin_graph::{Comparison, Node};
 
 impl Reader {
-    /// The order of two numbers: one of three.
+    /// Returns the order of two numbers: a choice among three values.
     pub fn order_of(&mut self, a: Node, b: Node) -> Value {
         let less = self.graph.compare(Comparison::Less, a, b);
         let equal = self.graph.compare(Comparison::Equal, a, b);
@@ -28,7 +29,7 @@ impl Reader {
         ])
     }
 
-    /// The condition under which an order is the one of that name.
+    /// Returns the condition that an order has this name.
     pub fn is_ordered(&mut self, order: Value, name: &str, at: &dyn ToTokens) -> Read<Node> {
         match self.loaded(order) {
             Value::Adt(adt) => Ok(self.graph.bool(adt.name == name)),
@@ -52,7 +53,7 @@ impl Reader {
         }
     }
 
-    /// A method of an order.
+    /// Calls a method of an order.
     pub(super) fn order_method(&mut self, adt: &Adt, call: &Call) -> Read {
         let is = |wanted: &[&str]| wanted.contains(&adt.name.as_str());
         let holds = match call.name.as_str() {
@@ -83,7 +84,7 @@ impl Reader {
     }
 }
 
-/// True if a value of that name is an order.
+/// Returns true if a value with this name is an order.
 pub fn is_order(name: &str) -> bool {
     matches!(name, "Less" | "Equal" | "Greater")
 }

@@ -1,4 +1,4 @@
-//! Methods of numbers, by f64's names, and of integers.
+//! Methods of numbers, under the names of f64, and methods of integers.
 
 use quote::{ToTokens, quote};
 
@@ -46,7 +46,8 @@ impl Reader {
         Ok(self.scalar_function(n, name, &arguments, call.whole))
     }
 
-    /// `k.to_bits()`
+    /// Reads `k.to_bits()` and similar methods without a derivative: a mistake on a number that
+    /// varies, else a call in emitted code.
     fn underived(&mut self, n: Node, call: &Call) -> Read {
         if let Some(place) = (0..call.places.len())
             .find(|&k| self.value_varies(&call.arguments[k]))
@@ -70,7 +71,7 @@ impl Reader {
         )))
     }
 
-    /// xⁿ with an integer n.
+    /// Returns xⁿ with an integer n.
     pub fn power(
         &mut self,
         x: Node,
@@ -99,7 +100,7 @@ impl Reader {
         }
     }
 
-    /// f(x, …) by f64's names, with as many arguments as it takes.
+    /// Returns f(x, …) for a function of f64, if the number of arguments is right.
     pub fn scalar_function(
         &mut self,
         x: Node,
@@ -152,7 +153,7 @@ impl Reader {
         Value::Scalar(y)
     }
 
-    /// That a function of f64's is given too few numbers or too many, the one before the dot among
+    /// Reports a function of f64 with too few or too many numbers; the receiver counts as one of
     /// them.
     fn miscounted(&mut self, name: &str, given: usize, at: &dyn ToTokens) -> Value {
         let (takes, form) = match name {
@@ -220,7 +221,7 @@ impl Reader {
             }
             _ => None,
         };
-        // The sign of the result is that of the method, not of an overflow.
+        // The smaller operand decides if a negative result may have an unsigned type.
         let of = [argument.unwrap_or_default().min(k)];
         value.and_then(|value| integer::made(value, ty, &of)).ok_or_else(unreadable)
     }
@@ -230,11 +231,11 @@ fn number(n: Node, at: &dyn ToTokens) -> Template {
     Template::Numbers(vec![n], Shape::Scalar, first_span(at))
 }
 
-/// Methods that say what kind of number one is.
+/// Methods that test the class of a number.
 pub const KINDS_OF_NUMBERS: [&str; 5] =
     ["is_nan", "is_finite", "is_infinite", "is_sign_negative", "is_sign_positive"];
 
-/// The condition that x is a number of such a kind.
+/// Returns the condition that x belongs to the class that the method tests.
 fn is_such(g: &mut Graph, name: &str, x: Node) -> Node {
     let zero = g.zero();
     match name {
@@ -245,7 +246,7 @@ fn is_such(g: &mut Graph, name: &str, x: Node) -> Node {
                 if name == "is_sign_negative" { Comparison::Less } else { Comparison::Greater };
             g.compare(side, sign, zero)
         }
-        // A size is 0 or more, but of what is no number.
+        // The test |x| ≥ 0 fails only if x is NaN.
         _ => {
             let size = g.call(Function::Abs, x);
             let largest = g.constant(f64::MAX);
@@ -260,11 +261,11 @@ fn is_such(g: &mut Graph, name: &str, x: Node) -> Node {
     }
 }
 
-/// π/180 and 180/π.
+/// π/180 and 180/π as decimal texts.
 const RADIANS: &str = "0.01745329251994329576923690768488612713442871888541725456";
 const DEGREES: &str = "57.29577951308232087679815481410517033240547246656432154916";
 
-/// Good Rust, but not for the interpreter.
+/// Methods that are good Rust, but that the interpreter does not read.
 const OTHER_METHODS_OF_F64: &[&str] = &[
     "is_normal",
     "is_subnormal",

@@ -45,7 +45,7 @@ impl Reader {
         }))
     }
 
-    /// Notes a local point or direction that stays where it is.
+    /// Adds a local point or direction of a body, unless it depends on coordinates or time.
     fn attach(&mut self, slot: usize, is_point: bool, local: &[Node]) {
         let attachment = Attachment { slot, is_point, local: local.to_vec() };
         let moves = local.iter().any(|&node| self.graph.depends(node).varies());

@@ -1,4 +1,4 @@
-//! Conditions: comparisons, and what is made of them.
+//! Comparisons, and operators on conditions.
 
 use super::*;
 
@@ -34,7 +34,7 @@ impl Reader {
         }))
     }
 
-    /// Comparison of numbers, or equality of several of them.
+    /// Compares numbers, or tests several of them for equality.
     pub(super) fn compared(
         &mut self,
         comparison: Comparison,

@@ -1,5 +1,4 @@
-//! The declarations of the body's own types: structs and enums, their functions, constants and
-//! traits.
+//! The types that the body declares: structs and enums, their functions, constants and traits.
 
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -15,30 +14,31 @@ use crate::lower::generic::Substitution;
 use crate::lower::method::takes_itself;
 use crate::lower::value::Value;
 
-/// The declarations of the body's own types.
+/// The types that the body declares.
 #[derive(Default)]
 pub struct Own {
     types: HashMap<String, Declared>,
-    /// The functions that traits give to whoever has them, by the trait's name.
+    /// The default functions of each trait, by the name of the trait.
     traits: HashMap<String, Vec<ItemFn>>,
-    /// By the names of the type and the function; several of one name take other types. A constant
-    /// is a function without arguments.
+    /// The functions by the names of the type and the function; several functions of one name
+    /// differ in the types of their arguments. A constant is a function without arguments.
     functions: HashMap<(String, String), Vec<Inner>>,
 }
 
-/// A function, and the number of the scope that it is declared in.
+/// A function, and the number of the scope that declares it.
 pub type Inner = (Rc<ItemFn>, usize);
 
 /// A struct or an enum.
 pub struct Declared {
     /// The names of its generic types and lengths.
     pub generics: Vec<String>,
-    /// The fields of a struct in their order, those of a tuple by their numbers.
+    /// The fields of a struct in order; the fields of a tuple have numbers as names. Empty for an
+    /// enum.
     pub fields: Vec<(String, Type)>,
     pub braces: bool,
-    /// The variants of an enum in their order.
+    /// The variants of an enum in order. Empty for a struct.
     pub variants: Vec<Variant>,
-    /// The variant that is the default one.
+    /// The name of the default variant.
     pub default: Option<String>,
     derives: Vec<String>,
 }
@@ -46,9 +46,9 @@ pub struct Declared {
 /// A variant of an enum.
 pub struct Variant {
     pub name: String,
-    /// The integer that it is.
+    /// The integer of the variant, if the declaration gives one.
     pub integer: Option<i64>,
-    /// The names of its fields, or their numbers.
+    /// The names of the fields, or their numbers.
     pub fields: Vec<String>,
 }
 
@@ -92,7 +92,7 @@ impl Declared {
         self
     }
 
-    /// The names of the fields of the struct, or of the variant of that name.
+    /// Returns the names of the fields of the struct, or of the variant with this name.
     pub fn fields_of(&self, name: &str) -> Vec<&str> {
         match self.variants.iter().find(|variant| variant.name == name) {
             Some(variant) => variant.fields.iter().map(String::as_str).collect(),
@@ -106,7 +106,7 @@ impl Declared {
 }
 
 impl Own {
-    /// Takes a type, or what a type can do, from the items of a block.
+    /// Takes a type, or an implementation for it, from the items of a block.
     pub fn take(&mut self, item: &Item, depth: usize) -> bool {
         match item {
             Item::Struct(of) => {
@@ -155,7 +155,7 @@ impl Own {
             .as_ref()
             .and_then(|(_, path, _)| self.traits.get(&path.segments.last()?.ident.to_string()));
         let mut items: Vec<ItemFn> = own.collect();
-        // A function of the type itself stands in the place of the trait's.
+        // A function of the type itself has precedence over that of the trait.
         let given = of_trait.into_iter().flatten();
         let given =
             given.filter(|given| items.iter().all(|item| item.sig.ident != given.sig.ident));
@@ -181,7 +181,8 @@ impl Own {
         self.types.contains_key(name)
     }
 
-    /// The path of a variant with its enum before it, where `use Joint::*` has left it out.
+    /// Returns the path of a variant with the name of its enum, which `use Joint::*` permits to
+    /// omit.
     pub fn whole_path(&self, path: &syn::Path) -> syn::Path {
         let owner =
             path.get_ident().filter(|name| !self.is_type(&name.to_string())).and_then(|variant| {
@@ -199,7 +200,7 @@ impl Own {
         }
     }
 
-    /// The methods of a type, in order, as they are called.
+    /// Returns the names of the methods of a type, in order.
     pub fn methods(&self, ty: &str) -> Vec<String> {
         let own = self.functions.keys().filter(|(known, _)| known == ty);
         let mut all: Vec<String> = own.map(|(_, name)| format!("`{name}`")).collect();
@@ -207,13 +208,13 @@ impl Own {
         all
     }
 
-    /// True if some method of that name takes `&mut self`.
+    /// Returns true if some method with this name takes `&mut self`.
     pub fn changes(&self, name: &str) -> bool {
         let mut named = self.functions.iter().filter(|((_, known), _)| known == name);
         named.any(|(_, all)| all.iter().any(|(item, _)| takes_itself(item)))
     }
 
-    /// The function of a type by its name; of several the first whose arguments fit.
+    /// Returns a function of a type by its name; among several, the first one whose arguments fit.
     pub fn function(&self, ty: &str, name: &str, arguments: &[Value]) -> Option<Inner> {
         let all = self.functions.get(&(ty.to_string(), name.to_string()))?;
         let fitting = all.iter().find(|(item, _)| {
@@ -226,7 +227,7 @@ impl Own {
         fitting.or(all.last()).cloned()
     }
 
-    /// The function or constant that a path names: `Link::new`, `<M8 as Thread>::PITCH`.
+    /// Returns the function or constant that a path names: `Link::new`, `<M8 as Thread>::PITCH`.
     pub fn by_path(&self, path: &syn::ExprPath, arguments: &[Value]) -> Option<Inner> {
         let segments = &path.path.segments;
         let name = segments.last()?.ident.to_string();
@@ -241,7 +242,7 @@ impl Own {
     }
 }
 
-/// True if a value may be of a type, as far as both are known.
+/// Returns true if a value may have a type, as far as both are known.
 fn fits(ty: &Type, value: &Value) -> bool {
     match (ty, value) {
         (Type::Reference(ty), value) => fits(&ty.elem, value),
@@ -272,16 +273,16 @@ fn whole(sig: &syn::Signature, block: &syn::Block) -> ItemFn {
     parse_quote!(#sig #block)
 }
 
-/// `const PITCH: f64 = 1.25;` as `fn PITCH() -> f64 { 1.25 }`, at the place of the value.
+/// Returns `const PITCH: f64 = 1.25;` as `fn PITCH() -> f64 { 1.25 }`, with the span of the value.
 fn constant_function(name: &syn::Ident, ty: &Type, value: &Expr) -> ItemFn {
     parse_quote_spanned!(value.span()=> fn #name() -> #ty { #value })
 }
 
-/// The names in `#[derive(…)]`.
+/// Returns the names in `#[derive(…)]`.
 fn derived(attribute: &Attribute) -> Vec<String> {
     let mut names = Vec::new();
     if attribute.path().is_ident("derive") {
-        // An attribute that is no list of names is rustc's to complain of.
+        // Rustc reports an attribute that is no list of names.
         let _ = attribute.parse_nested_meta(|meta| {
             names.extend(meta.path.segments.last().map(|last| last.ident.to_string()));
             Ok(())
@@ -290,7 +291,7 @@ fn derived(attribute: &Attribute) -> Vec<String> {
     names
 }
 
-/// `5`, `-1`
+/// Reads a literal integer: `5`, `-1`.
 fn integer(value: &Expr) -> Option<i64> {
     match value {
         Expr::Lit(syn::ExprLit { lit: syn::Lit::Int(k), .. }) => k.base10_parse().ok(),

@@ -1,5 +1,4 @@
-//! Operators beside values of structs and enums: those of the body's own, and those that rustc
-//! knows.
+//! Operators on structs and enums: those that the body declares, and those that only rustc knows.
 
 use syn::{BinOp, Expr, ExprBinary, UnOp};
 
@@ -8,7 +7,7 @@ use crate::lower::value::{Adt, Value};
 use crate::lower::{Read, Reader, Unreadable};
 use kin_graph::{Comparison, Node};
 
-/// The method of an operator, and that of its compound assignment.
+/// Returns the name of an operator's method, and of the method of its compound assignment.
 fn methods(op: &BinOp) -> Option<[&'static str; 2]> {
     Some(match op {
         BinOp::Add(_) => ["add", "add_assign"],
@@ -20,7 +19,7 @@ fn methods(op: &BinOp) -> Option<[&'static str; 2]> {
     })
 }
 
-/// The name of the type that operators of a value belong to.
+/// Returns the name of the type whose operators apply to a value.
 fn type_of(value: &Value) -> Option<String> {
     match value {
         Value::Adt(adt) => Some(adt.type_name()),
@@ -29,7 +28,8 @@ fn type_of(value: &Value) -> Option<String> {
     }
 }
 
-/// True of a struct, and of a value that operators make of one: it may have `+=` and no `+`.
+/// Returns true for a struct, and for a value that operators make from one: such a type may have
+/// `+=` without `+`.
 fn is_of_struct(template: &Template) -> bool {
     match template {
         Template::Struct(..) => true,
@@ -40,7 +40,7 @@ fn is_of_struct(template: &Template) -> bool {
 }
 
 impl Reader {
-    /// An operator beside a value of a struct or an enum.
+    /// Computes an operator on a struct or an enum.
     pub fn operate_own(&mut self, op: BinOp, left: Value, right: Value, at: &ExprBinary) -> Read {
         if let Some(value) = self.ordered_own(op, &left, &right, at)? {
             return Ok(value);
@@ -90,7 +90,7 @@ impl Reader {
         Ok(Value::Opaque(Template::Binary(Box::new(a), op, Box::new(b))))
     }
 
-    /// `-value` and `!value` of a struct or an enum.
+    /// Computes `-value` and `!value` of a struct or an enum.
     pub fn unary_of_own(&mut self, op: UnOp, value: Value, at: &Expr) -> Read {
         let method = if matches!(op, UnOp::Neg(_)) { "neg" } else { "not" };
         if let Value::Adt(adt) = &value
@@ -102,7 +102,8 @@ impl Reader {
         Ok(Value::Opaque(Template::Unary(op, Box::new(self.template(value, at)?))))
     }
 
-    /// `left += right`, if the left side is a struct or an enum, or was made of one by operators.
+    /// Reads `left += right` if the left side is a struct or an enum, or if operators made it from
+    /// one.
     pub fn compound_own(
         &mut self,
         op: BinOp,
@@ -129,8 +130,8 @@ impl Reader {
         self.assign(&at.left, value).map(Some)
     }
 
-    /// `a < b` of two values of one type of the body's own; `None` where it has no order that is
-    /// known here.
+    /// Compares two values of one type of the body, as in `a < b`; returns `None` if the type has
+    /// no known order.
     fn ordered_own(
         &mut self,
         op: BinOp,
@@ -160,7 +161,7 @@ impl Reader {
         }))
     }
 
-    /// The condition that `Some(order)` is an order of one of these names.
+    /// Returns the condition that `Some(order)` is an order with one of these names.
     fn is_one_of(&mut self, order: Value, names: &[&str], at: &ExprBinary) -> Read {
         let mut any = self.graph.bool(false);
         if let Value::Adt(Adt { fields, .. }) = order
@@ -174,9 +175,9 @@ impl Reader {
         Ok(Value::Condition(any))
     }
 
-    /// The conditions that one value is less than another, and that they are equal, as
-    /// `#[derive(PartialOrd)]` has it: by the variants in their order, then by the fields in
-    /// theirs.
+    /// Returns the conditions that one value is less than another, and that both are equal, as
+    /// `#[derive(PartialOrd)]` defines them: by the order of the variants, then by the fields in
+    /// order.
     fn less(&mut self, a: &Adt, b: &Adt) -> Option<(Node, Node)> {
         let declared =
             self.own.declared(&a.type_name()).filter(|declared| declared.derives("PartialOrd"))?;
@@ -188,7 +189,7 @@ impl Reader {
             return Some((self.graph.bool(less), self.graph.bool(equal)));
         }
         let named = declared.fields.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
-        // The fields of a variant are numbered.
+        // The fields of a tuple variant have numbers as names.
         let names = if named.is_empty() {
             a.fields.iter().map(|(name, _)| name.clone()).collect()
         } else {
@@ -220,7 +221,7 @@ impl Reader {
         Some((less, equal))
     }
 
-    /// The condition that two values of one type are equal, part by part.
+    /// Returns the condition that two values of one type are equal, part by part.
     fn same(&mut self, a: &Adt, b: &Adt) -> Option<Node> {
         if a.name != b.name || a.fields.len() != b.fields.len() {
             return Some(self.graph.bool(false));

@@ -1,28 +1,27 @@
-//! Finds the singular position beside a solution that is too near to it for rounding to tell them
-//! apart.
+//! Finds the singular position near a solution that rounding cannot distinguish from it.
 //!
-//! Where two solutions coincide, C = 0 holds to rounding at half the digits of q already, so the
-//! pose at hand can have full rank although the solution has not.
+//! Where two solutions coincide, C = 0 already holds within rounding at half of the digits of q. So
+//! the given pose can have full rank although the solution has not.
 
 use crate::linear::{Echelon, LeastSquares, Sparse, dense};
 use crate::system::scaled::{Measures, Model, Point};
 
-/// By so much of their norms, and of each of their terms, rows may be off at the singular position,
-/// beyond the misfit that is allowed: rounding.   \[-\]
+/// The residual of a row at the singular position, relative to its norm and its terms, that counts
+/// as rounding in addition to the permitted closure error. \[-\]
 const ROUNDING: f64 = 4e-15;
 
-/// Pivots below this are looked at, and below 30 times the root of the misfit that is
-/// allowed: a solution that is off by ε from a double one has a pivot of about √ε.   \[-\]
+/// Pivots below this value are examined, or below 30 times the root of the permitted closure error:
+/// a solution at the distance ε from a double one has a pivot of about √ε. \[-\]
 const NEAR: f64 = 1e-5;
 
-/// Vectors of either side that are looked at, at most.
+/// The largest number of null vectors of either side to examine.
 const LOOKED_AT: usize = 8;
 
-/// The pose, or the singular pose of lower rank beside it at which C = 0 holds as well.
+/// Returns the pose, or the singular pose of lower rank near it at which C = 0 holds too.
 ///
-/// With l and n the nearly null vectors of C_q, the coordinates s for which l · C_q(q + Σ s n) n =
-/// 0 are those of linear equations, with l · (C_q n)_q n as their matrix. All other rows are then
-/// met again.
+/// l and n are the nearly null vectors of C_q. The coordinates s with l · C_q(q + Σ s n) n = 0
+/// follow from linear equations with the matrix l · (C_q n)_q n. Afterwards all other rows are
+/// satisfied again.
 pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measures) -> Vec<f64> {
     let tolerance = ROUNDING.max(model.misfit);
     let near = NEAR.max(30.0 * model.misfit.sqrt());
@@ -63,7 +62,7 @@ pub(super) fn settled(model: &Model<'_>, q: Vec<f64>, t: f64, measures: &Measure
     if is_met && beside && echelon(&at, crate::linear::RANK).rank() < rank { here } else { q }
 }
 
-/// q + Σ s n with l · C_q n = 0 there, to first order.
+/// Returns q + Σ s n with l · C_q n = 0 to first order.
 fn onto(
     model: &Model<'_>,
     (q, at): (&[f64], &Point),
@@ -79,7 +78,7 @@ fn onto(
     };
     let free: Vec<Vec<f64>> = free.iter().map(|v| unit(v, n)).collect();
     let dependent: Vec<Vec<f64>> = dependent.iter().map(|y| unit(y, m)).collect();
-    // (C_q v)_q v of shares v, rows of order 1.
+    // (C_q v)_q v for v in units of the sizes, with rows of order 1.
     let curvature = |v: &[f64]| -> Option<Vec<f64>> {
         let v: Vec<f64> = v.iter().zip(&measures.sizes).map(|(v, size)| v * size).collect();
         let rhs = model.second_order(q, t, &v, 0.0).ok()?;
@@ -130,7 +129,7 @@ fn onto(
     Some(moved)
 }
 
-/// The least squares solution of a small dense system, row after row.
+/// Returns the least-squares solution of a small dense system, row after row.
 fn shortest(rows: usize, columns: usize, matrix: &[f64], rhs: &[f64]) -> Option<Vec<f64>> {
     let places: Vec<Option<(usize, usize)>> =
         (0..rows).flat_map(|row| (0..columns).map(move |column| Some((row, column)))).collect();
@@ -142,7 +141,7 @@ fn shortest(rows: usize, columns: usize, matrix: &[f64], rhs: &[f64]) -> Option<
     s.iter().all(|s| s.is_finite()).then_some(s)
 }
 
-/// The pose brought back onto C = 0 without moving along what is nearly free.
+/// Returns the pose moved back onto C = 0, without a motion along the nearly free directions.
 fn met_again(
     model: &Model<'_>,
     mut q: Vec<f64>,
@@ -159,8 +158,8 @@ fn met_again(
         };
         let entries = model.equations.entries.iter().zip(&point.values);
         let values: Vec<f64> = entries.map(|(entry, value)| scale(entry) * value).collect();
-        // The damping, of squares, is far above those of what is nearly free and far below all
-        // others.
+        // The squared damping is far above the squares of the nearly free directions and far below
+        // all others.
         if !solver.factor(values.into_iter(), near) {
             return None;
         }

@@ -1,4 +1,4 @@
-//! The least change that makes a mechanism exactly constrained.
+//! Finds the smallest change that makes a mechanism exactly constrained.
 
 use crate::model::verdict::{Change, Class, Dependency, Freedom, Gap};
 
@@ -7,8 +7,8 @@ use super::super::order;
 use super::freed::{for_freedoms, out_of_line};
 use super::trial::Trial;
 
-/// Rows to leave out for what is superfluous, coordinates to drive for what is free. A dependency
-/// or freedom of this pose alone asks for another pose, not for another model.
+/// Returns the rows to remove for redundant equations, and the coordinates to drive for freedoms. A
+/// dependency or freedom of this pose alone requires another pose, not another model.
 pub(crate) fn least(
     examined: &Examined<'_>,
     gaps: &[Gap],
@@ -30,8 +30,8 @@ pub(crate) fn least(
             changes.extend(gaps.iter().map(|gap| for_gap(examined, gap, dependencies)));
         }
         cures => {
-            // With the cure everything closes and moves: what else is wrong at this pose is so
-            // because of it.
+            // With the cure everything closes and moves, so it explains everything else that is
+            // wrong at this pose.
             changes.extend_from_slice(cures);
             if examined.model().m() >= examined.model().n() {
                 return changes;
@@ -66,8 +66,8 @@ pub(crate) fn least(
     changes
 }
 
-/// Of a mechanism without a driver that its joints hold at a special position alone: those of which
-/// one could hold less.
+/// For a mechanism without a driver whose joints hold it at a special position only: returns the
+/// joints of which one could hold less.
 fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Change> {
     let model = examined.model();
     let is_driven = (0..model.m()).any(|row| model.drives(row));
@@ -78,7 +78,8 @@ fn loosened(examined: &Examined<'_>, dependencies: &[Dependency]) -> Option<Chan
     (!is_driven && !constraints.is_empty()).then_some(Change::Loosen { constraints })
 }
 
-/// The change that closes a gap: less asked of a driver, one driver less, or another dimension.
+/// Returns the change that closes a gap: a smaller range of a driver, one driver less, or another
+/// dimension.
 fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> Change {
     let model = examined.model();
     let constraint = gap.constraint.clone();
@@ -110,15 +111,16 @@ fn for_gap(examined: &Examined<'_>, gap: &Gap, dependencies: &[Dependency]) -> C
     Change::Fit { constraint, missing: gap.size(), or_drop, of: gap.rows.len() }
 }
 
-/// True if everything else closes without a constraint, and moves along it if it drives.
+/// Returns true if everything else closes without a constraint, and moves along it if it is a
+/// driver.
 fn can_go(examined: &Examined<'_>, name: &str) -> bool {
     let block = examined.model().equations.blocks.iter().find(|block| block.name == name);
     block.is_some_and(|block| works_without(examined, &block.rows().collect::<Vec<_>>()))
 }
 
-/// True if the mechanism closes without these equations, and each driver among them has had
-/// something to drive; where there is no driver among them, every driver that is left must have
-/// something to drive.
+/// Returns true if the mechanism closes without these equations and each driver among them had
+/// something to drive. If there is no driver among them, every remaining driver must have something
+/// to drive.
 fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     let model = examined.model();
     let trial = Trial { model: *model, t: examined.t, without: rows, steps: examined.walk.steps };
@@ -127,8 +129,8 @@ fn works_without(examined: &Examined<'_>, rows: &[usize]) -> bool {
     trial.closed(examined.q).is_some_and(|found| trial.moves(&found, &drivers))
 }
 
-/// The constraints that could be removed in place of a driver that is in conflict: other drivers;
-/// where there are none, joints of one row.
+/// Returns the constraints that the user could remove instead of a conflicting driver: other
+/// drivers, or joints of one row if there are none.
 fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<String> {
     let names = |wanted: &dyn Fn(usize) -> bool| {
         let mut all: Vec<String> = Vec::new();
@@ -151,7 +153,7 @@ fn others(examined: &Examined<'_>, own: &str, sets: &[&Dependency]) -> Vec<Strin
     names(&|row| model.equations.block_of(row).is_some_and(|(block, _)| block.rows().len() == 1))
 }
 
-/// The rows by constraint.
+/// Groups the rows by constraint.
 fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
     let mut changes = Vec::new();
     for block in &examined.model().equations.blocks {
@@ -181,7 +183,7 @@ fn leave_out(examined: &Examined<'_>, rows: &[usize]) -> Vec<Change> {
     changes
 }
 
-/// The joint that is left when rows are taken from a planar one of the library.
+/// Returns the joint that remains if rows are removed from a planar joint of the library.
 fn instead(kind: &str, of: usize, rows: &[usize]) -> Option<&'static str> {
     match (kind, of, rows) {
         ("prismatic", 2, [0]) => Some("a point on a line"),

@@ -1,4 +1,4 @@
-//! Dimensions of a mechanism as a designer knows them, found among the parameters of its
+//! The dimensions of a mechanism as a designer knows them, derived from the parameters of its
 //! constraints: lengths of bodies, points, numbers.
 
 use crate::model::constraint::{Attached, Constraint};
@@ -6,45 +6,47 @@ use crate::model::layout::Place;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::Model;
 
-/// A parameter of a constraint by its numbers.
+/// A parameter of a constraint, as (constraint, index of the parameter).
 pub(crate) type Slot = (usize, usize);
 
-/// A point that was given to a constraint by its components in a body.
+/// A point of a constraint, given by its components in a body.
 #[derive(Clone, Debug)]
 pub(crate) struct PointAt {
-    /// The constraint, and the first of the parameters that hold the components.
+    /// The index of the constraint; `first` is the index of the first parameter with a component.
     pub block: usize,
     pub first: usize,
     /// Its name in the constraint, such as `u_i`.
     pub name: String,
-    /// The argument that is its body, and the body's item; `None` for the ground.
+    /// The index of the argument that is its body; `item` is the body's item, `None` for the
+    /// ground.
     pub argument: usize,
     pub item: Option<usize>,
     pub value: Vec<f64>,
 }
 
-/// Something of a mechanism that has a size.
+/// A dimension: something in a mechanism that has a size.
 #[derive(Clone, Debug)]
 pub(crate) struct Dimension {
     pub of: Of,
-    /// Its present value.
+    /// The present value.
     pub value: Vec<f64>,
-    /// The parameters that hang on it: which, on which of its components, by which factor.
+    /// The parameters that depend on it: the parameter, the component on which it depends, the
+    /// factor.
     pub slots: Vec<(Slot, usize, f64)>,
 }
 
 /// The owner of a dimension.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Of {
-    /// The length of a body between its two ends, by its item.
+    /// The length of a body between its two ends, by the item of the body.
     Length(usize),
-    /// A number of a constraint, by its name.
+    /// A number of a constraint, by name.
     Number(usize, String),
     /// A point of a constraint.
     Point(usize, String, Option<usize>),
 }
 
-/// Every point that is given to a constraint.
+/// Returns every point of every constraint.
 pub(crate) fn points(model: &Model<'_>) -> Vec<PointAt> {
     let blocks = model
         .equations
@@ -55,8 +57,8 @@ pub(crate) fn points(model: &Model<'_>) -> Vec<PointAt> {
     blocks.flat_map(|(k, block)| points_of(model, k, block.constraint.as_ref())).collect()
 }
 
-/// Vectors among the parameters that are points of bodies: by what the constraint says of its
-/// points, else by their names (`u_i` of `i`).
+/// Returns the vectors among the parameters that are points of bodies. Kin takes them from the
+/// attachments of the constraint, or else from their names (`u_i` of `i`).
 fn points_of(model: &Model<'_>, block: usize, constraint: &dyn Constraint) -> Vec<PointAt> {
     let arguments = constraint.arguments();
     let mut attached: Vec<(usize, [f64; 3])> = Vec::new();
@@ -88,7 +90,7 @@ fn points_of(model: &Model<'_>, block: usize, constraint: &dyn Constraint) -> Ve
     found
 }
 
-/// The parameters that are components of vectors, as (number of the first, name, values).
+/// Returns the parameters that are components of vectors, as (index of the first, name, values).
 fn vectors(constraint: &dyn Constraint) -> Vec<(usize, String, Vec<f64>)> {
     let mut all: Vec<(usize, String, Vec<f64>)> = Vec::new();
     let mut number = 0;
@@ -110,7 +112,8 @@ fn vectors(constraint: &dyn Constraint) -> Vec<(usize, String, Vec<f64>)> {
     all
 }
 
-/// Every dimension that could be another, lengths of bodies first, then numbers, then points.
+/// Returns every dimension that the user could change: lengths of bodies first, then numbers, then
+/// points.
 pub(crate) fn all(model: &Model<'_>) -> Vec<Dimension> {
     let points = points(model);
     let mut dimensions = Vec::new();
@@ -145,7 +148,8 @@ pub(crate) fn all(model: &Model<'_>) -> Vec<Dimension> {
     dimensions
 }
 
-/// The distance of a point from the origin of its body; of the origin itself its place.
+/// Returns the distance of a point from the origin of its body as a dimension. For a point at the
+/// origin it returns the position.
 fn at(point: PointAt) -> Dimension {
     let size = point.value.iter().map(|x| x * x).sum::<f64>().sqrt();
     let of = Of::Point(point.block, point.name, point.item);
@@ -161,8 +165,8 @@ fn at(point: PointAt) -> Dimension {
     }
 }
 
-/// The length of a body with points at (±a, 0, 0): those of a link. Points at its ends are marked
-/// as used.
+/// Returns the length of a body with points at (±a, 0, 0), as a link has. Marks the points at its
+/// ends as used.
 fn length(item: usize, points: &[PointAt], used: &mut [bool]) -> Option<Dimension> {
     let end = |point: &PointAt| {
         point.item == Some(item)
@@ -185,7 +189,7 @@ fn length(item: usize, points: &[PointAt], used: &mut [bool]) -> Option<Dimensio
 }
 
 impl Dimension {
-    /// Puts another value into the equations; false where a constraint refuses it.
+    /// Writes another value to the equations. Returns false if a constraint refuses it.
     pub(crate) fn put(&self, equations: &mut Equations, value: &[f64]) -> bool {
         let offsets =
             self.slots.iter().map(|&(slot, k, factor)| (slot, factor * (value[k] - self.value[k])));
@@ -195,13 +199,13 @@ impl Dimension {
         }) && self.blocks().all(|block| equations.blocks[block].constraint.refusal().is_none())
     }
 
-    /// The present value of a parameter that hangs on this dimension.
+    /// Returns the present value of a parameter that depends on this dimension.
     fn base(&self, slot: Slot) -> Option<f64> {
         let (_, k, factor) = self.slots.iter().find(|(known, _, _)| *known == slot)?;
         Some(factor * self.value[*k])
     }
 
-    /// The same point anywhere, where its distance alone is not enough.
+    /// Returns the point as a free position, if changing its distance is not enough.
     pub(crate) fn anywhere(&self) -> Option<Dimension> {
         let (Of::Point(..), [_]) = (&self.of, &self.value[..]) else { return None };
         let slots =
@@ -209,7 +213,7 @@ impl Dimension {
         Some(Dimension { of: self.of.clone(), slots, value: self.components(&self.value) })
     }
 
-    /// A value as it is told: of a point its components.
+    /// Returns a value in the form of a report: for a point its components.
     pub(crate) fn components(&self, value: &[f64]) -> Vec<f64> {
         match self.of {
             Of::Point(..) => self.slots.iter().map(|(_, k, factor)| factor * value[*k]).collect(),
@@ -217,24 +221,24 @@ impl Dimension {
         }
     }
 
-    /// True if it is a length, which can be compared with other lengths.
+    /// Returns true for a length, which can be compared with other lengths.
     pub(crate) fn is_length(&self) -> bool {
         const OTHERS: [&str; 6] = ["angle", "theta", "phase", "ratio", "pitch", "phi"];
         !matches!(&self.of, Of::Number(_, name) if OTHERS.iter().any(|other| name.contains(other)))
     }
 
-    /// Its size.
+    /// Returns the size.
     pub(crate) fn size(&self) -> f64 {
         self.value.iter().map(|x| x * x).sum::<f64>().sqrt()
     }
 
-    /// The constraints that it changes.
+    /// Returns the constraints that it changes.
     pub(crate) fn blocks(&self) -> impl Iterator<Item = usize> + '_ {
         self.slots.iter().map(|((block, _), _, _)| *block)
     }
 }
 
-/// Sets a parameter by its place; false where that cannot be.
+/// Sets a parameter. Returns false if that is impossible.
 pub(crate) fn set(equations: &mut Equations, (block, index): Slot, value: f64) -> bool {
     let Some(block) = equations.blocks.get_mut(block) else { return false };
     value.is_finite() && block.constraint.set_parameter_at(index, value)

@@ -1,4 +1,4 @@
-//! Which other value of a dimension lets a mechanism close and move.
+//! Finds another value of a dimension with which a mechanism closes and moves.
 
 use super::dimension::{Dimension, Of};
 use super::trial::{Trial, drivers};
@@ -8,29 +8,28 @@ use crate::solve::assembly::search::Found;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::{Measures, Model, Point};
 
-/// A value of a dimension with which everything closes and what drives has something to drive.
+/// A value of a dimension with which everything closes and the drivers have something to drive.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Fitted {
     pub value: Vec<f64>,
-    /// True if only this value fits, false if those beyond it do too.
+    /// True if only this value works, false if the values beyond it work too.
     pub exact: bool,
-    /// How far it is from what the dimension is, by its proportion: |ln| of what it is multiplied
-    /// by.   \[-\]
+    /// The distance from the present value: |ln| of the factor between both. \[-\]
     pub change: f64,
 }
 
-/// A bound is told with this much to spare: at the bound itself the mechanism stands in a
-/// toggle.   \[-\]
+/// The reported bound has this margin, because at the bound itself the mechanism is in a toggle.
+/// \[-\]
 const SPARE: f64 = 0.05;
 
-/// A bound is known to this share; halvings of the way to it at most.   \[-\]
+/// The relative accuracy of a bound, and the largest number of bisections towards it.
 const CLOSE: f64 = 2e-4;
 const HALVINGS: usize = 18;
 
-/// Steps to a pose near one that is known, at most.
+/// The largest number of steps to a pose near a known one.
 const NEAR: usize = 60;
 
-/// Another value of the dimension that does, nearest to the one it has, where there is one.
+/// Returns the nearest other value of the dimension that works, if there is one.
 pub(crate) fn fit(
     model: &Model<'_>,
     dimension: &Dimension,
@@ -56,13 +55,13 @@ pub(crate) fn fit(
 
 struct Fit<'a> {
     model: Model<'a>,
-    /// A copy, in which the dimension is changed.
+    /// A copy of the equations in which the dimension changes.
     equations: Equations,
     dimension: &'a Dimension,
     t: f64,
     without: &'a [usize],
     steps: usize,
-    /// The size of a change of order 1 of the dimension.
+    /// The change of the dimension that counts as order 1.
     scale: f64,
 }
 
@@ -85,7 +84,8 @@ impl Fit<'_> {
         ask(Model { equations: &self.equations, ..self.model })
     }
 
-    /// The pose with another value of the dimension, from one near it or beside that.
+    /// Returns the pose with another value of the dimension, starting from a pose nearby or from
+    /// beside it.
     fn closed(&mut self, value: &[f64], from: &[f64]) -> Option<Found> {
         let t = self.t;
         let without = self.without;
@@ -93,7 +93,7 @@ impl Fit<'_> {
         self.with(value, |model| Trial { model, t, without, steps }.closed_beside(from))
     }
 
-    /// True if the mechanism with this value closes near a pose and moves as it should.
+    /// Returns true if the mechanism with this value closes near a pose and moves as it should.
     fn works(&mut self, value: &[f64], from: &[f64]) -> bool {
         let Some(found) = self.closed(value, from) else { return false };
         let t = self.t;
@@ -106,8 +106,8 @@ impl Fit<'_> {
         .is_some()
     }
 
-    /// The value that is told for one that closes: the end of those that do, as near as possible to
-    /// what the dimension is.
+    /// Returns the value for the report: the end of the interval of values that close, as close as
+    /// possible to the present value.
     fn bounded(&mut self, value: Vec<f64>, q: &[f64]) -> Option<Fitted> {
         let is = self.dimension.value[0];
         let to = value[0];
@@ -144,8 +144,8 @@ impl Fit<'_> {
         Fitted { change: self.proportion(&value), value, exact }
     }
 
-    /// |ln| of the factor between the two values; of one that changes sign or comes from zero more
-    /// than any factor that is likely.
+    /// Returns |ln| of the factor between the two values. If the sign changes or one value is zero,
+    /// the result is larger than for any probable factor.
     fn proportion(&self, value: &[f64]) -> f64 {
         const FAR: f64 = 3.0;
         match (&self.dimension.value[..], value) {
@@ -157,9 +157,10 @@ impl Fit<'_> {
         }
     }
 
-    /// C = 0 by coordinates and dimension together (Levenberg–Marquardt), from a pose that is near.
+    /// Solves C = 0 by coordinates and dimension together (Levenberg–Marquardt), from a pose
+    /// nearby.
     fn solved(&mut self, near: &Found) -> Option<(Vec<f64>, Vec<f64>)> {
-        /// Damping, against rows and columns of order 1, at the start and at its least.   \[-\]
+        /// The damping at the start and its minimum, for rows and columns of order 1. \[-\]
         const DAMPING: [f64; 2] = [1e-2, 1e-12];
         const MET: f64 = 1e-12;
         let n = self.model.n();
@@ -208,10 +209,11 @@ impl Fit<'_> {
         (merit < 1e-20).then_some((value, q))
     }
 
-    /// C, C_q, and the slopes of C by the dimension, all rows of one component after those of the
-    /// other.
+    /// Returns C, C_q and the slopes of C by the dimension, all rows of one component after those
+    /// of the other.
     fn linearized(&mut self, q: &[f64], value: &[f64]) -> Option<(Point, Vec<f64>)> {
-        /// Central differences: parameters enter as a rule in the first or second power.   \[-\]
+        /// The step of central differences. Parameters usually enter in the first or second power.
+        /// \[-\]
         const STEP: f64 = 1e-5;
         let t = self.t;
         let point = self.with(value, |model| model.linearize(q, t).ok())?;

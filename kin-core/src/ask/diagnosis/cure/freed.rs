@@ -1,5 +1,5 @@
-//! The changes that take a freedom away: a joint, a pin, a drive, something that holds the body, or
-//! a longer body.
+//! Finds the changes that remove a freedom: a joint, a pin, a driver, a constraint that holds the
+//! body, or a longer body.
 
 use std::collections::HashSet;
 
@@ -12,7 +12,7 @@ use crate::model::verdict::{Change, Freedom, How, Persistence, Resize, Size};
 use crate::system::evaluate::Block;
 use crate::system::scaled::Model;
 
-/// The change for each lasting freedom: a joint for a body that nothing holds, a drive, or
+/// Returns the change for each lasting freedom: a joint for a body that nothing holds, a driver, or
 /// something that holds it.
 pub(crate) fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec<Change> {
     let mut changes: Vec<Change> = Vec::new();
@@ -43,8 +43,8 @@ pub(crate) fn for_freedoms(examined: &Examined<'_>, freedoms: &[Freedom]) -> Vec
     pinned(examined, changes)
 }
 
-/// The same, where two links that hang on one joint each are all that is free: a pin between them
-/// is likely to be missing.
+/// Returns the changes, but a single pin if only two links with one joint each are free: a pin
+/// between them is probably missing.
 fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
     let [
         Change::Drive { coordinate: x, moves: a, turn: None },
@@ -67,7 +67,7 @@ fn pinned(examined: &Examined<'_>, changes: Vec<Change>) -> Vec<Change> {
     }
 }
 
-/// True if exactly one constraint acts on a planar body.
+/// Returns true if exactly one constraint acts on a planar body.
 fn hangs(examined: &Examined<'_>, name: &str) -> bool {
     let model = examined.model();
     let of_it = |place: Place| matches!(place, Place::Own { item, .. } if model.layout.items[item].name == name);
@@ -83,8 +83,8 @@ fn hangs(examined: &Examined<'_>, name: &str) -> bool {
     planar && model.equations.blocks.iter().filter(speaks).count() == 1
 }
 
-/// The coordinate to drive; where its body turns, its angle, and of a spatial body its turn.
-/// `moved` says in how many freedoms each coordinate changes.
+/// Returns the coordinate to drive: the angle of a planar body that rotates, the rotation of a
+/// spatial body. `moved` says in how many freedoms each coordinate changes.
 fn drive(
     examined: &Examined<'_>,
     (column, freedom): (usize, &Freedom),
@@ -113,8 +113,8 @@ fn drive(
     Change::Drive { coordinate, turn, moves }
 }
 
-/// For bodies that give to first order only: lengths of theirs with which they do not, a little
-/// longer than they are.
+/// Returns, for bodies with a freedom of first order only, slightly larger lengths at which they
+/// have none.
 pub(crate) fn out_of_line(examined: &Examined<'_>, freedoms: &[Freedom]) -> Option<Change> {
     const LONGER: f64 = 1.05;
     let model = examined.model();

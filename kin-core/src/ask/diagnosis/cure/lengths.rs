@@ -1,5 +1,5 @@
-//! Which lengths do not fit where a mechanism cannot be closed: those of which another value lets
-//! it close and move, the likeliest first.
+//! Finds the lengths that do not fit in a mechanism that cannot close: those of which another value
+//! lets it close and move, the most likely first.
 
 use super::super::order;
 use super::super::search_under_way::Search;
@@ -8,19 +8,21 @@ use super::fit::{self, Fitted};
 use crate::model::verdict::{Resize, Size};
 use crate::solve::assembly::search::Found;
 
-/// Dimensions that are tried at most, and told at most.
+/// The largest number of dimensions to try, and to report.
 const TRIED: usize = 24;
 const MOST_SHOWN: usize = 3;
 
-/// Mechanisms of more coordinates are not examined for their lengths.
+/// Mechanisms with more coordinates are not examined for their lengths, because each trial solves
+/// all equations.
 const EXAMINED: usize = 400;
 
-/// A length that is this many times the middle one of all, or as many times smaller, is out of
-/// scale: a unit or a decimal point is wrong.   \[-\]
+/// A length is out of scale if it is larger than the median length by this factor, or smaller: then
+/// a unit or a decimal point is wrong. \[-\]
 const OUT_OF_SCALE: f64 = 30.0;
 
-/// The dimensions that would do, where the constraints that take part cannot be met together;
-/// nothing where only what is out of scale is asked for and nothing is.
+/// Returns the dimensions that work, if the constraints of the contradiction cannot be satisfied
+/// together. If the caller asks only for dimensions out of scale and there are none, the list is
+/// empty.
 pub(crate) fn that_fit(
     search: &Search<'_>,
     found: &Found,
@@ -63,8 +65,8 @@ pub(crate) fn that_fit(
         };
         fits.extend(fitted(dimension).or_else(|| fitted(&dimension.anywhere()?)));
     }
-    // Of two that are as likely the one is told whose constraint is the first to be called
-    // superfluous.
+    // Of two equally likely dimensions the report takes the one whose constraint it calls
+    // superfluous first.
     let order: Vec<usize> = order::of_rows(model)
         .into_iter()
         .filter_map(|row| model.equations.block_index(row))
@@ -85,13 +87,13 @@ pub(crate) fn that_fit(
             .then(about(a.1).total_cmp(&about(b.1)))
             .then_with(|| rank(&a.2).cmp(&rank(&b.2)))
     });
-    // Where a dimension is out of scale, it is the one thing to change.
+    // A dimension out of scale is the only one to change.
     let only = if fits.first().is_some_and(|first| !first.0) { 1 } else { MOST_SHOWN };
     fits.into_iter().take(only).map(|(_, _, resize)| resize).collect()
 }
 
-/// How unlikely a change is: the larger it is and the further it leads away from the middle one of
-/// all lengths; points are less often wrong than lengths.   \[-\]
+/// Returns how improbable a change is. It grows with the change and with the distance of the result
+/// from the median length; points are wrong less often than lengths. \[-\]
 fn unlikely(dimension: &Dimension, fitted: &Fitted, middle: Option<f64>) -> f64 {
     const POINT: f64 = 1.25;
     const ORIGIN: f64 = 0.25;
@@ -102,7 +104,7 @@ fn unlikely(dimension: &Dimension, fitted: &Fitted, middle: Option<f64>) -> f64 
             Some(middle) => ratio(dimension.size(), middle).ln() - ratio(size, middle).ln(),
             None => 0.0,
         };
-    // A zero is written on purpose.
+    // Users write a zero on purpose.
     let origin = if dimension.size() == 0.0 { ORIGIN } else { 0.0 };
     let point = origin + if matches!(dimension.of, Of::Point(..)) { POINT } else { 0.0 };
     (1.0 + LARGE) * fitted.change - gain + point
@@ -112,7 +114,7 @@ fn ratio(a: f64, b: f64) -> f64 {
     (a / b).max(b / a)
 }
 
-/// The middle one of all lengths that are not zero, the larger one of two.
+/// Returns the median of all nonzero lengths; of two the larger one.
 fn middle(all: &[Dimension]) -> Option<f64> {
     let lengths = all.iter().filter(|dimension| dimension.is_length());
     let mut sizes: Vec<f64> = lengths.map(Dimension::size).filter(|size| *size > 0.0).collect();

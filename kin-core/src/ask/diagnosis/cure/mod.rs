@@ -1,4 +1,5 @@
-//! Changes after which a mechanism can be driven: they are found, tried, and only then told.
+//! Finds and tests changes after which a mechanism can be driven. The report contains only tested
+//! changes.
 
 pub(crate) mod change;
 pub(crate) mod dimension;

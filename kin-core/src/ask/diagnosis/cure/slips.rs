@@ -1,6 +1,6 @@
-//! Slips of the pen: points that were given to a constraint in the wrong order, in the wrong frame
-//! or for the wrong end. Each is looked for only where the numbers speak for it, and told only if
-//! the mechanism closes and moves without it.
+//! Mistakes with points: in the wrong order, in the wrong frame or at the wrong end. Kin tests a
+//! mistake only if the numbers suggest it, and reports it only if the mechanism closes and moves
+//! without it.
 
 use super::super::search_under_way::Search;
 use super::dimension::{self, PointAt};
@@ -13,16 +13,16 @@ use crate::solve::assembly::search;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::Model;
 
-/// Points nearer than this share of the mechanism's length are one.   \[-\]
+/// Points nearer than this share of the mechanism's length coincide. \[-\]
 const SAME: f64 = 1e-6;
 
-/// A slip and the constraint at which it was made.
+/// A mistake and the constraint that contains it.
 pub(crate) struct Slip {
     pub change: Change,
     pub block: usize,
 }
 
-/// The first slip without which everything closes and moves.
+/// Returns the first mistake without which everything closes and moves.
 pub(crate) fn find(search: &Search<'_>, drawn: &[f64], length: f64) -> Option<Slip> {
     let looked = Looked { search, drawn, length, points: dimension::points(&search.model) };
     looked.global_points().or_else(|| looked.swapped()).or_else(|| looked.same_end())
@@ -40,9 +40,9 @@ impl Looked<'_> {
         &self.search.model
     }
 
-    /// True if the mechanism with other numbers closes and moves.
+    /// Returns true if the mechanism with other numbers closes and moves.
     fn works(&self, change: impl FnOnce(&mut Equations) -> bool) -> bool {
-        /// The guess and a few starts around it.
+        /// The number of starts: the guess and a few around it.
         const STARTS: usize = 6;
         let mut equations = self.model().equations.clone();
         if !change(&mut equations) {
@@ -56,7 +56,8 @@ impl Looked<'_> {
         found.is_some_and(|found| trial.moves(&found, &drivers(&model, &[])))
     }
 
-    /// A point of a body as it is drawn; `None` of bodies whose pose nobody has given.
+    /// Returns the global position of a point of a body as it is drawn, or `None` if nobody gave
+    /// the pose of the body.
     fn global(&self, point: &PointAt, u: &[f64]) -> Option<[f64; 3]> {
         let Some(item) = point.item else { return Some(vector(u)) };
         let item = &self.model().layout.items[item];
@@ -75,7 +76,7 @@ impl Looked<'_> {
         }
     }
 
-    /// A global point as a body sees it where it is drawn.
+    /// Returns the local position in a body of a global point, for the body as it is drawn.
     fn local(&self, item: usize, p: &[f64]) -> Option<Vec<f64>> {
         let item = &self.model().layout.items[item];
         let q = &self.drawn[item.first..];
@@ -97,8 +98,8 @@ impl Looked<'_> {
         a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt() > SAME * self.length
     }
 
-    /// The constraints with just two points, in different bodies: places where two points are to
-    /// meet as a rule.
+    /// Returns the constraints with exactly two points, in different bodies. Usually these points
+    /// meet.
     fn pairs(&self) -> impl Iterator<Item = (&PointAt, &PointAt)> {
         self.points.chunk_by(|a, b| a.block == b.block).filter_map(|own| match own {
             [i, j] if i.argument != j.argument && i.value.len() == j.value.len() => Some((i, j)),
@@ -106,7 +107,7 @@ impl Looked<'_> {
         })
     }
 
-    /// Points that would meet as bodies are drawn if they were global ones.
+    /// Looks for points that would meet, as bodies are drawn, if they were global points.
     fn global_points(&self) -> Option<Slip> {
         let mut wrong: Vec<(&PointAt, Vec<f64>)> = Vec::new();
         for (i, j) in self.pairs() {
@@ -116,7 +117,7 @@ impl Looked<'_> {
             {
                 continue;
             }
-            // One of the points, or both, may be given in global coordinates.
+            // One of the points, or both, can be in global coordinates.
             let p = vector(&i.value);
             let q = vector(&j.value);
             let meets = |known: Option<[f64; 3]>, global: [f64; 3]| {
@@ -163,7 +164,7 @@ impl Looked<'_> {
         )
     }
 
-    /// True if a body has the mirror image of this point where another constraint holds it: the two
+    /// Returns true if another constraint holds a body at the mirror image of this point: then both
     /// are the ends of a link.
     fn is_end(&self, u: &[f64], item: Option<usize>, block: usize) -> bool {
         let mirrored = |point: &&PointAt| {
@@ -174,7 +175,7 @@ impl Looked<'_> {
             && self.points.iter().filter(|point| point.item == item).any(|point| mirrored(&point))
     }
 
-    /// Two points, each of which is one of the other's body.
+    /// Looks for two points that belong to each other's body.
     fn swapped(&self) -> Option<Slip> {
         let told = |(i, j): (&PointAt, &PointAt)| {
             let ends = self.is_end(&j.value, i.item, i.block)
@@ -182,8 +183,8 @@ impl Looked<'_> {
                 || i.item.is_none()
                     && self.is_end(&i.value, j.item, i.block)
                     && !self.is_end(&j.value, j.item, i.block);
-            // A link and a body of any other shape: the link's end is given for that body, and a
-            // point that is no end for the link.
+            // For a link and a body of another shape: the end of the link is the point of that
+            // body, and a point that is no end is the point of the link.
             let foreign_end = |own: &PointAt, other: &PointAt| {
                 self.is_end(&other.value, own.item, i.block) && other.item.is_some()
             };
@@ -216,7 +217,7 @@ impl Looked<'_> {
         self.pairs().find_map(told)
     }
 
-    /// Two constraints at the same end of a body that has no constraint at its other end.
+    /// Looks for two constraints at the same end of a body that has no constraint at its other end.
     fn same_end(&self) -> Option<Slip> {
         for (k, a) in self.points.iter().enumerate() {
             let on_body: Vec<&PointAt> = self

@@ -1,5 +1,5 @@
-//! A cure is tried before it is told: the mechanism with it must close, and what drives must have
-//! something to drive.
+//! Tests a cure before it is reported: the mechanism with the cure must close, and its drivers must
+//! have something to drive.
 
 use super::super::generic::Walk;
 use crate::linear::Echelon;
@@ -8,26 +8,26 @@ use crate::solve::assembly::search::{self, Found};
 use crate::solve::assembly::turned_over;
 use crate::system::scaled::{Measures, Model};
 
-/// Free motions that are tried one by one, and mixtures of all of them.
+/// The largest number of free motions to test alone, and of mixtures of all of them.
 const BESIDE: usize = 12;
 const MIXED: u64 = 4;
 
-/// A mechanism with something changed or left out, to be put together.
+/// A mechanism with a change or with removed equations, to be assembled.
 #[derive(Clone, Copy)]
 pub(crate) struct Trial<'a> {
     pub model: Model<'a>,
     pub t: f64,
-    /// Equations that are left out.
+    /// The removed equations.
     pub without: &'a [usize],
-    /// Steps to least squares at most.
+    /// The largest number of least-squares steps.
     pub steps: usize,
 }
 
-/// How much of the way a driver has to itself must be left; a share of a row of order 1.   \[-\]
+/// The smallest change of a driver's row along a free motion, for rows of order 1. \[-\]
 const DRIVES: f64 = 1e-4;
 
 impl Trial<'_> {
-    /// The pose near another one at which it closes as it is meant.
+    /// Returns the pose near another one at which the mechanism closes on the right branch.
     pub(crate) fn closed(&self, from: &[f64]) -> Option<Found> {
         let active = |row: usize| !self.without.contains(&row);
         let found = search::descend(self.model, from, self.t, &active, false, self.steps)
@@ -38,8 +38,8 @@ impl Trial<'_> {
         turned_over::mended(self.model, &found.place.q, self.t, &active, self.steps)
     }
 
-    /// The same from the pose, or from beside it: where bodies stand in line, nothing says to which
-    /// side they are to give way.
+    /// Returns such a pose from the given one or from beside it. If bodies are in line, nothing
+    /// determines to which side they move.
     pub(crate) fn closed_beside(&self, from: &[f64]) -> Option<Found> {
         const BESIDE: f64 = 0.1;
         let mut random = Random::new(7);
@@ -49,9 +49,9 @@ impl Trial<'_> {
         self.closed(from).or_else(|| self.closed(&beside))
     }
 
-    /// True if every one of these drivers' equations has something to drive at a pose: a motion of
-    /// the joints along which it changes, and that leads somewhere. With no driver at all the
-    /// joints must have some motion, unless by count they are a structure.
+    /// Returns true if every one of these drivers' equations has something to drive at a pose: a
+    /// motion of the joints that changes it and leads somewhere. Without drivers the joints must
+    /// have some motion, unless by count they form a structure.
     pub(crate) fn moves(&self, found: &Found, drivers: &[usize]) -> bool {
         let model = &self.model;
         let measures = &found.measures;
@@ -63,18 +63,17 @@ impl Trial<'_> {
             return joints >= model.n()
                 || ways(&free).iter().any(|v| walk.beside(q, self.t, v).is_some());
         }
-        // In a toggle a driver drives nothing, so poses beside the toggle are tried.
+        // In a toggle a driver drives nothing, so Kin also tests poses beside the toggle.
         let beside = ways(&free).into_iter().filter_map(|v| walk.beside(q, self.t, &v));
         let poses: Vec<Vec<f64>> = beside.collect();
         drivers.iter().all(|row| poses.iter().any(|q| self.drives(q, measures, *row)))
     }
 
-    /// True if drivers still agree a little later, where there are more of them than the joints
-    /// leave freedoms. Without this check Kin could propose a length that fits at this moment and
-    /// at no other.
+    /// Returns true if drivers still agree a little later, where there are more drivers than
+    /// freedoms. Without this check Kin could propose a length that fits at this time only.
     pub(crate) fn goes_on(&self, found: &Found) -> bool {
-        /// Times at which they are compared, in units of the time in which the fastest driver moves
-        /// something by one.   \[-\]
+        /// The times of this comparison, in units of the time in which the fastest driver moves
+        /// something by one. \[-\]
         const LATER: [f64; 3] = [0.03, 0.3, 1.0];
         let model = &self.model;
         let measures = &found.measures;
@@ -85,7 +84,7 @@ impl Trial<'_> {
         }
         let walk = Walk { model, measures, open: &[], without: self.without, steps: self.steps };
         let here = free(model, measures, &found.place.point.values, self.without);
-        // At a change point the joints leave more than elsewhere.
+        // At a change point the joints leave more freedoms than elsewhere.
         let beside = ways(&here).into_iter().filter_map(|v| walk.beside(q, self.t, &v));
         let left = beside.filter_map(|q| model.linearize(&q, self.t).ok());
         let least =
@@ -99,7 +98,7 @@ impl Trial<'_> {
         })
     }
 
-    /// True if a driver's equation changes along a motion of the joints.
+    /// Returns true if a driver's equation changes along a motion of the joints.
     fn drives(&self, q: &[f64], measures: &Measures, row: usize) -> bool {
         let Ok(point) = self.model.linearize(q, self.t) else { return false };
         let rows = self.model.scaled(&point.values, measures, &|k| k == row);
@@ -111,14 +110,15 @@ impl Trial<'_> {
     }
 }
 
-/// The motions that the joints leave, the largest share of each 1.
+/// Returns the motions that the joints allow, each with a largest component of 1.
 fn free(
     model: &Model<'_>,
     measures: &Measures,
     values: &[f64],
     without: &[usize],
 ) -> Vec<Vec<f64>> {
-    /// A smallest gap is found to half the digits, so a cure is too.   \[-\]
+    /// The smallest pivot. A smallest gap is accurate to half of the digits, and so is a cure.
+    /// \[-\]
     const LEAST: f64 = 1e-6;
     let joints =
         model.scaled(values, measures, &|row| !model.drives(row) && !without.contains(&row));
@@ -131,16 +131,15 @@ fn free(
     Echelon::new(joints, model.n(), LEAST).null_space().into_iter().map(dense).collect()
 }
 
-/// The directions that are tried: each free motion, and where there are several also mixtures of
-/// all of them. Loops that toggle together move together only, because each of them alone is locked
-/// by the others.
+/// Returns the directions to test: each free motion, and mixtures of all if there are several.
+/// Loops that toggle together move only together, because the others lock each single one.
 fn ways(free: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let mut ways: Vec<Vec<f64>> = free.iter().take(BESIDE).cloned().collect();
     for seed in 0..if free.len() > 1 { MIXED } else { 0 } {
         let mut random = Random::new(seed);
         let mut way = vec![0.0; free[0].len()];
         for v in free {
-            // Each motion takes part with a share that is not small, to either side.
+            // Each motion has a component that is not small, in either direction.
             let share = random.number();
             let share = share + share.signum();
             way.iter_mut().zip(v).for_each(|(sum, x)| *sum += share * x);
@@ -152,7 +151,7 @@ fn ways(free: &[Vec<f64>]) -> Vec<Vec<f64>> {
     ways
 }
 
-/// The equations of driving constraints, of those that are not left out.
+/// Returns the equations of the drivers that are not removed.
 pub(crate) fn drivers(model: &Model<'_>, without: &[usize]) -> Vec<usize> {
     (0..model.m()).filter(|row| model.drives(*row) && !without.contains(row)).collect()
 }

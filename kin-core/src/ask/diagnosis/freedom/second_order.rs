@@ -1,10 +1,10 @@
-//! The second-order test: which freedoms exist to first order only, and how far play lets them
-//! move.
+//! The second-order test finds the freedoms that exist to first order only, and the distance that
+//! play allows.
 //!
-//! A motion q + s n + s² w, with C_q n = 0, stays on C = 0 to second order only if l · (C_q n)_q
-//! n = 0 for each l with lᵀ C_q = 0 (R. Connelly, W. Whiteley, Second-order rigidity and prestress
+//! A motion q + s n + s² w with C_q n = 0 stays on C = 0 to second order only if l · (C_q n)_q n =
+//! 0 for each l with lᵀ C_q = 0 (R. Connelly, W. Whiteley, Second-order rigidity and prestress
 //! stability, SIAM J. Discrete Math. 9, 1996). If a combination of the l makes this quadratic form
-//! of n definite, no direction passes: the structure is rigid, but shaky.
+//! of n definite, no direction remains: the structure is rigid, but shaky.
 
 use super::super::examined::Examined;
 use crate::linear::dense;
@@ -12,20 +12,20 @@ use crate::model::layout::Kind;
 use crate::model::units::Unit;
 use crate::model::verdict::Play;
 
-/// Bends below this are rounding; rows, coordinates and vectors are of order 1.   \[-\]
+/// Values below this are rounding; rows, coordinates and vectors are of order 1. \[-\]
 const FLAT: f64 = 1e-6;
 
-/// Left null vectors whose signs are combined at most.
+/// The largest number of left null vectors whose signs are combined: 2ⁿ combinations.
 const COMBINED: usize = 5;
 
-/// The left null vectors, in units of the rows as they are written: l · C is of order 1.
+/// Returns the left null vectors in units of the rows as they are written: l · C is of order 1.
 fn stresses(examined: &Examined<'_>) -> Vec<Vec<f64>> {
     let norms = &examined.measures().norms;
     let scaled = examined.here.dependent.iter().map(|(_, vector)| dense(vector, norms.len()));
     scaled.map(|y| y.iter().zip(norms).map(|(y, norm)| y / norm).collect()).collect()
 }
 
-/// (C_q v)_q v at the pose, the time held; empty where it is not finite.
+/// Returns (C_q v)_q v at the pose and a constant time. The list is empty if it is not finite.
 fn curvature(examined: &Examined<'_>, v: &[f64]) -> Vec<f64> {
     let rhs = examined.model().second_order(examined.q, examined.t, v, 0.0).unwrap_or_default();
     rhs.into_iter().map(|x| -x).collect()
@@ -35,8 +35,8 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// True if the second order holds all these motions and each combination of them: a combination of
-/// the forms l · (C_q n)_q n is definite.
+/// Returns true if the second order holds all these motions and each combination of them: a
+/// combination of the forms l · (C_q n)_q n is definite.
 pub(super) fn holds(examined: &Examined<'_>, directions: &[Vec<f64>]) -> bool {
     let stresses = stresses(examined);
     if stresses.is_empty() || directions.is_empty() {
@@ -59,7 +59,8 @@ pub(super) fn holds(examined: &Examined<'_>, directions: &[Vec<f64>]) -> bool {
         })
 }
 
-/// Of each stress the symmetric matrix of its form over the directions, by polarisation.
+/// Returns for each left null vector the symmetric matrix of its form over the directions, by
+/// polarisation.
 fn forms(
     examined: &Examined<'_>,
     directions: &[Vec<f64>],
@@ -91,7 +92,7 @@ fn forms(
     forms
 }
 
-/// True if a symmetric matrix or its negative has a Cholesky factor with pivots that are no
+/// Returns true if a symmetric matrix or its negative has a Cholesky factor with pivots above
 /// rounding.
 fn is_definite(form: &[Vec<f64>]) -> bool {
     [1.0, -1.0].into_iter().any(|sign| {
@@ -113,14 +114,14 @@ fn is_definite(form: &[Vec<f64>]) -> bool {
     })
 }
 
-/// How far a motion n of first order goes where the joints have play.
+/// Returns the distance of a motion n of first order if the joints have play.
 ///
 /// With errors e of the rows, l · C(q + s n + s² w) = ½ s² l · (C_q n)_q n = l · e to leading
-/// order. Joints with a play ε let l · e be ε Λ at most, where Λ is the sum of the forces |l| of
-/// all joints, each times how much its rows change per length. So |s| ≤ √(2 ε Λ / |l · (C_q n)_q
-/// n|), the least of all l.
+/// order. Joints with a play ε allow l · e of at most ε Λ. Λ is the sum over all joints of the
+/// force |l| times the change of its rows per length. So |s| ≤ √(2 ε Λ / |l · (C_q n)_q n|), and
+/// the smallest bound of all l counts.
 pub(super) fn play(examined: &Examined<'_>, v: &[f64]) -> Option<Play> {
-    /// The play that is looked at, as a share of the mechanism's length.   \[-\]
+    /// The assumed play, as a share of the mechanism's length. \[-\]
     const SHARE: f64 = 1e-4;
     let model = examined.model();
     let sizes = &examined.measures().sizes;
@@ -142,14 +143,14 @@ pub(super) fn play(examined: &Examined<'_>, v: &[f64]) -> Option<Play> {
         let norm = |part: &[f64]| s * part.iter().map(|x| x * x).sum::<f64>().sqrt();
         let (moves, turns) = match item.kind {
             Kind::Planar => (norm(&own[..2]), norm(&own[2..])),
-            // |ṗ| of Euler parameters is half the rate of turn.
+            // |ṗ| of Euler parameters is half of the angular velocity.
             Kind::Spatial => (norm(&own[..3]), 2.0 * norm(&own[3..])),
             Kind::Length => (norm(own), 0.0),
             Kind::Angle => (0.0, norm(own)),
         };
         Play { body: item.name.clone(), play, moves, turns }
     });
-    // Kin names the first of two bodies that move equally far.
+    // Of two bodies that move equally far Kin names the first.
     let further = |a: &Play, b: &Play| {
         let close = (a.moves - b.moves).abs() <= 1e-6 * a.moves.max(b.moves);
         if close { b.turns > (1.0 + 1e-6) * a.turns } else { b.moves > a.moves }
@@ -158,8 +159,8 @@ pub(super) fn play(examined: &Examined<'_>, v: &[f64]) -> Option<Play> {
     largest.filter(|play| play.moves.is_finite() && play.turns.is_finite())
 }
 
-/// How much each row changes per length by which a point is off: the largest of its derivatives by
-/// lengths, one for all components of a vector.
+/// Returns for each row its change per displacement of a point: the largest of its derivatives by
+/// lengths, one value for all components of a vector.
 fn per_length(examined: &Examined<'_>) -> Vec<f64> {
     let model = examined.model();
     let mut most = vec![0.0_f64; model.m()];

@@ -11,25 +11,26 @@ use crate::numbers::enclosure::{Interval, ONE, Series};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// A function of time may miss the quintic of a part by this share of what it changes there; over a
-/// stretch of many steps by this share of what it changes in all of them.   \[-\]
+/// The permitted error of the quintic of a part, as a share of the function's change in the part;
+/// over many steps, of its change in all of them. \[-\]
 const MISS: f64 = 1e-6;
 const MISS_OF_STRETCH: f64 = 1e-8;
 
-/// Rounding errors of a function, beside its values.   \[-\]
+/// Rounding error of a function, relative to its values. \[-\]
 const ROUNDING: f64 = 1e-13;
 
-/// Times as near as this share of a step are on either side of a break.   \[-\]
+/// Times nearer than this share of a step are on the two sides of a break. \[-\]
 const BESIDE: f64 = 1e-9;
 
-/// Coefficients of Taylor's formula, and those below which a bound says too little.
+/// The number of coefficients of Taylor's formula, and the number below which a bound says too
+/// little.
 const COEFFICIENTS: usize = 7;
 const FEWEST: usize = 4;
 
-/// Gaps between samples of a constraint of which no bounds are known.
+/// The number of gaps between samples of a constraint without known bounds.
 const GAPS: usize = 16;
 
-/// All that time does to the system of a motion.
+/// The functions of time of the system of a motion.
 pub(super) struct Clock<'a> {
     system: &'a System,
     motion: &'a Motion,
@@ -38,8 +39,8 @@ pub(super) struct Clock<'a> {
     plain: Vec<bool>,
 }
 
-/// A constraint that time moves: the nodes of its formula by which time enters; `None` where they
-/// are not known.
+/// A constraint that depends on time, with the nodes of its formula through which time enters;
+/// `None` if they are unknown.
 struct Source {
     block: usize,
     signals: Option<Arc<[Node]>>,
@@ -64,13 +65,13 @@ impl<'a> Clock<'a> {
         clock
     }
 
-    /// True if quintics through the ends of a step follow all functions of time.
+    /// Returns true if quintics through the ends of a step follow all functions of time.
     pub(super) fn is_plain(&self, step: usize) -> bool {
         self.plain.get(step).copied().unwrap_or(true)
     }
 
-    /// Finds out which of the steps from one to before another are plain: all at once where bounds
-    /// over all of them tell, else by halves.
+    /// Marks the steps that need no further times. Bounds over all steps decide, or else over each
+    /// half.
     fn mark(&mut self, from: usize, to: usize) {
         if from >= to {
             return;
@@ -87,8 +88,8 @@ impl<'a> Clock<'a> {
         }
     }
 
-    /// The times within a step, in the order of the motion, between which all functions of time
-    /// follow quintics. Errors: too many times.
+    /// Returns the times within a step, in the order of the motion, between which all functions of
+    /// time follow quintics. Errors: too many times.
     pub(super) fn cuts(&self, step: usize) -> Result<Vec<f64>> {
         if self.is_plain(step) {
             return Ok(Vec::new());
@@ -100,7 +101,7 @@ impl<'a> Clock<'a> {
         let mut ends = vec![low, high];
         for (t, order) in breaks(self.system, self.motion, step) {
             let beside = (BESIDE * (high - low)).max(8.0 * f64::EPSILON * t.abs());
-            // Second rates on either side are other ones.
+            // The second derivatives on the two sides differ.
             let sides = if order <= 2 { vec![t - beside, t, t + beside] } else { vec![t] };
             ends.extend(sides.into_iter().filter(|t| low < *t && *t < high));
         }
@@ -129,7 +130,7 @@ impl<'a> Clock<'a> {
         if cuts.len() > MOST {
             return Err(too_many(self.motion, self.motion.times()[step]));
         }
-        // Its ends may be breaks, which belong to the next part.
+        // The ends may be breaks, which belong to the next part.
         let edge = (BESIDE * (b - a)).max(2.0 * f64::EPSILON * a.abs().max(b.abs()));
         let inner = [a + edge, b - edge];
         if b - a <= shortest || inner[0] >= inner[1] || self.follows(inner, (b - a, true, step)) {
@@ -141,7 +142,8 @@ impl<'a> Clock<'a> {
         self.halve([middle, b], step, shortest, cuts)
     }
 
-    /// True if all functions of time follow quintics over steps of that length between two times.
+    /// Returns true if all functions of time follow quintics over steps of that length between two
+    /// times.
     fn follows(&self, ends: [f64; 2], (length, single, step): (f64, bool, usize)) -> bool {
         self.sources.iter().all(|source| match self.over(source, ends) {
             Some(all) => {
@@ -151,7 +153,7 @@ impl<'a> Clock<'a> {
         })
     }
 
-    /// Bounds of a source between two times; `None` where too little is known.
+    /// Returns bounds of a source between two times, or `None` if too little is known.
     fn over(&self, source: &Source, [a, b]: [f64; 2]) -> Option<Vec<Series>> {
         let signals = source.signals.as_ref()?;
         let t = Series::variable(Interval::new(a.min(b), a.max(b)), ONE, COEFFICIENTS);
@@ -162,8 +164,8 @@ impl<'a> Clock<'a> {
         all.iter().all(|y| y.len() >= FEWEST).then_some(all)
     }
 
-    /// The same as [`follows`] by samples of C, the coordinates held: sixth differences tell of the
-    /// sixth derivative.
+    /// Tests by samples of C at constant coordinates whether quintics follow; sixth differences
+    /// estimate the sixth derivative.
     fn samples_follow(&self, source: &Source, [a, b]: [f64; 2], step: usize) -> bool {
         let equations = self.system.equations();
         let block = &equations.blocks[source.block];
@@ -207,18 +209,19 @@ pub(in crate::ask::measure) fn breaks(
     found
 }
 
-/// True if a function of time with these bounds follows the quintic of a step of that length.
+/// Returns true if a function of time with these bounds follows the quintic of a step of that
+/// length.
 fn follows(y: &Series, length: f64, miss: f64) -> bool {
     let last = y.len().min(COEFFICIENTS) - 1;
-    // Up to the sixth coefficient by Taylor's formula, else by how much the last one that is known
-    // changes.
+    // Uses Taylor's formula up to the sixth coefficient, or else the change of the last known
+    // coefficient.
     let largest =
         if last + 1 == COEFFICIENTS { y.at(last).mag() } else { 2.0 * y.at(last).radius() };
     let off = largest * (0.5 * length).powi(last as i32);
     off <= miss * 2.0 * y.value().radius() || off <= ROUNDING * y.value().mag()
 }
 
-/// The same of samples at even places.
+/// Returns true if samples at even distances follow a quintic.
 fn is_smooth(row: &[f64]) -> bool {
     let (low, high) =
         row.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), x| (l.min(*x), h.max(*x)));
@@ -230,7 +233,7 @@ fn is_smooth(row: &[f64]) -> bool {
         let half = GAPS as f64 / (2.0 * stride as f64);
         row.windows(6 * stride + 1).map(size).fold(0.0, f64::max) * half.powi(6) / 720.0
     };
-    // Rounding of a value is carried on by both.
+    // Both estimates carry the rounding of a value.
     let rounding =
         64.0 * f64::EPSILON * low.abs().max(high.abs()) * (GAPS as f64 / 2.0).powi(6) / 720.0;
     difference(1).max(difference(2)) <= MISS * (high - low) + rounding

@@ -1,15 +1,16 @@
-//! Polynomials of fifth degree over 0 ≤ u ≤ 1, and their zeros.
+//! Quintic polynomials over 0 ≤ u ≤ 1, and their zeros.
 
 use super::super::between;
 
-/// Halvings that leave nothing between two numbers of 0 … 1.
+/// The number of bisections after which no number is left between two numbers of 0 … 1.
 const HALVINGS: usize = 60;
 
-/// The polynomial c0 + c1 u + … with the values, rates and second rates of a step at its ends.
+/// The polynomial c0 + c1 u + … with the values, velocities and accelerations of a step at its
+/// ends.
 pub(in crate::ask::measure) struct Quintic([f64; 6]);
 
 impl Quintic {
-    /// From x, ẋ and ẍ at both times.
+    /// Creates the polynomial from x, ẋ and ẍ at both times.
     pub(in crate::ask::measure) fn between([a, b]: [f64; 2], ends: [[f64; 3]; 2]) -> Self {
         let h = b - a;
         Quintic(between::quintic(ends.map(|[x, rate, second]| [x, h * rate, h * h * second])))
@@ -19,12 +20,12 @@ impl Quintic {
         value(&self.0, u)
     }
 
-    /// The slope along u.
+    /// Returns the slope by u.
     pub(in crate::ask::measure) fn slope(&self, u: f64) -> f64 {
         value(&derivative(&self.0), u)
     }
 
-    /// The coefficients of it less a level, or of its slope.
+    /// Returns the coefficients of the polynomial minus a level, or of its slope.
     pub(in crate::ask::measure) fn coefficients(&self, level: Option<f64>) -> Vec<f64> {
         match level {
             None => derivative(&self.0),
@@ -37,18 +38,18 @@ impl Quintic {
     }
 }
 
-/// Σ c_k u^k
+/// Evaluates Σ c_k u^k.
 pub(in crate::ask::measure) fn value(c: &[f64], u: f64) -> f64 {
     c.iter().rev().fold(0.0, |sum, c| sum * u + c)
 }
 
-/// The coefficients of the slope.
+/// Returns the coefficients of the slope.
 pub(in crate::ask::measure) fn derivative(c: &[f64]) -> Vec<f64> {
     c.iter().enumerate().skip(1).map(|(k, c)| k as f64 * c).collect()
 }
 
-/// The places between 0 and 1 where a polynomial changes its sign, in order: between two zeros of
-/// its slope there is one at most.
+/// Returns the places between 0 and 1 where a polynomial changes its sign, in order. Between two
+/// zeros of its slope there is at most one.
 pub(in crate::ask::measure) fn zeros(c: &[f64]) -> Vec<f64> {
     if c.len() < 2 || c.iter().any(|c| !c.is_finite()) {
         return Vec::new();
@@ -68,8 +69,9 @@ fn halved(c: &[f64], mut low: f64, mut high: f64) -> f64 {
     high
 }
 
-/// True if a polynomial surely keeps one sign, clear of zero by a share of its size, or changes it
-/// just once: by the signs of its coefficients in Bernstein's form (Descartes' rule for 0 < u < 1).
+/// Returns true if a polynomial certainly keeps its sign, clear of zero by a share of its size, or
+/// changes it exactly once. The signs of its coefficients in Bernstein form decide (Descartes' rule
+/// for 0 < u < 1).
 pub(in crate::ask::measure) fn is_simple(c: &[f64], margin: f64) -> bool {
     let bernstein = bernstein(c);
     let largest = bernstein.iter().fold(0.0_f64, |m, b| m.max(b.abs()));
@@ -80,7 +82,7 @@ pub(in crate::ask::measure) fn is_simple(c: &[f64], margin: f64) -> bool {
     }
 }
 
-/// b_i = Σ_(k ≤ i) C(i, k) / C(n, k) c_k
+/// Returns b_i = Σ_(k ≤ i) C(i, k) / C(n, k) c_k.
 fn bernstein(c: &[f64]) -> Vec<f64> {
     let n = c.len().saturating_sub(1);
     let choose =

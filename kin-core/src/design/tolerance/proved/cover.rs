@@ -1,4 +1,4 @@
-//! Boxes of dimensions and times, covered by sheets that are joined to one another.
+//! Covers boxes of dimensions and times with sheets that are joined to one another.
 
 use std::cell::Cell;
 use std::rc::Rc;
@@ -10,37 +10,37 @@ use crate::model::error::{Error, Result};
 use crate::numbers::enclosure::interval::{Interval, down, up};
 use crate::system::System;
 
-/// Boxes that are looked at before it is told that nothing is proved.
+/// The largest number of boxes before the proof fails.
 const MOST: usize = 6000;
 
-/// A box is halved so often at most.
+/// The largest number of bisections of a box.
 const DEEPEST: usize = 40;
 
-/// The pose of a place of a feature.
+/// The pose of one place of a feature.
 pub(super) struct Covered {
     pub q: Vec<f64>,
-    /// Rates of the coordinates, for the side along which a box is cut.
+    /// The velocities of the coordinates. They determine the side along which a box is divided.
     pub qd: Vec<f64>,
 }
 
-/// All that is asked for boxes.
+/// The data of all boxes.
 pub(super) struct Cover<'a> {
     pub system: &'a System,
     pub equations: Equations<'a>,
     pub names: &'a [String],
     pub sources: &'a [Source],
-    /// The dimensions as they are.
+    /// The nominal dimensions.
     pub nominal: Vec<f64>,
     pub sizes: Vec<f64>,
-    /// The largest change of a coordinate in its size with each dimension.
+    /// For each dimension the largest change of a coordinate, in units of its size.
     pub weights: Vec<f64>,
     pub places: Vec<Covered>,
-    /// The measure, for words.
+    /// The measure, for messages.
     pub what: String,
     pub tried: Cell<usize>,
 }
 
-/// A box with a sheet for each place: its sides are the dimensions, then a span of time for each
+/// A box with a sheet for each place. Its sides are the dimensions, then a span of time for each
 /// place.
 pub(super) struct Node {
     pub sides: Vec<Interval>,
@@ -54,7 +54,7 @@ impl Node {
 }
 
 impl Cover<'_> {
-    /// The box that leaves each dimension where it may be off.
+    /// Returns the box of all tolerances.
     pub(super) fn whole(&self) -> Vec<Interval> {
         let mut all: Vec<Interval> = self.nominal.iter().map(|x| Interval::from(*x)).collect();
         for source in self.sources {
@@ -67,13 +67,13 @@ impl Cover<'_> {
         all
     }
 
-    /// The dimensions as they are, as a box.
+    /// Returns the nominal dimensions as a box.
     pub(super) fn point(&self) -> Vec<Interval> {
         self.nominal.iter().map(|x| Interval::from(*x)).collect()
     }
 
-    /// Sheets for these places over a box, which are one solution each; `guesses` are positions at
-    /// its centre, or near those.
+    /// Returns sheets for these places over a box; each is a single solution. `guesses` are
+    /// positions near those at its centre.
     pub(super) fn over(
         &self,
         which: &[usize],
@@ -103,8 +103,8 @@ impl Cover<'_> {
         Ok(left)
     }
 
-    /// The halves of a box that has its sheets, with sheets of their own that are the same
-    /// solutions; `None` where these are not found.
+    /// Returns the halves of a box with sheets, with separate sheets of the same solutions. Returns
+    /// `None` if there are no such sheets.
     pub(super) fn cut(&self, which: &[usize], node: &Node, cut: usize) -> Option<Vec<Node>> {
         let mut all = Vec::new();
         for half in halved(&node.sides, cut) {
@@ -120,7 +120,7 @@ impl Cover<'_> {
         Some(all)
     }
 
-    /// True if two boxes have the same solutions at a point of both.
+    /// Returns true if two boxes have the same solutions at a common point.
     pub(super) fn is_one(&self, a: &Node, b: &Node, point: &[f64]) -> bool {
         let d = self.names.len();
         let at = |place: usize| [&point[..d], &point[d + place..=d + place]].concat();
@@ -130,8 +130,9 @@ impl Cover<'_> {
             && both.into_iter().all(|(k, (a, b))| a.is_joined(b, &at(k)))
     }
 
-    /// True if the solutions of some box and its neighbour on the other side are one. As each side
-    /// is one solution, and both have all of the face between them, that is so along the face.
+    /// Returns true if the solutions of some box and its neighbour on the other side are equal.
+    /// Each side is one solution and both contain the whole face between them, so they are equal
+    /// along the face.
     fn are_joined(&self, left: &[Node], right: &[Node]) -> bool {
         let pairs = left.iter().flat_map(|a| right.iter().map(move |b| (a, b)));
         let common = |a: &Node, b: &Node| {
@@ -145,7 +146,7 @@ impl Cover<'_> {
         })
     }
 
-    /// True if no point of a box is in the disc of a clearance.
+    /// Returns true if no point of a box is in the disc of a clearance.
     fn is_outside(&self, sides: &[Interval]) -> bool {
         let least = |k: &usize| (sides[*k] - Interval::from(self.nominal[*k])).sqr().lo();
         self.sources.iter().filter(|source| source.parts.len() > 1).any(|source| {
@@ -176,7 +177,7 @@ impl Cover<'_> {
         Ok(Node { sides: sides.to_vec(), sheets })
     }
 
-    /// The side along which coordinates move most; `None` where none does.
+    /// Returns the side along which coordinates move most, or `None` if none does.
     fn widest(&self, which: &[usize], sides: &[Interval]) -> Option<usize> {
         let d = self.names.len();
         let fast = |place: &Covered| {
@@ -192,7 +193,7 @@ impl Cover<'_> {
         (!sides[widest].is_thin()).then_some(widest)
     }
 
-    /// That nothing is proved, and where.
+    /// Builds the error that nothing is proved, with the place.
     fn refusal(&self, fault: &Fault, sides: &[Interval]) -> Error {
         let d = self.names.len();
         let at =
@@ -223,7 +224,7 @@ impl Cover<'_> {
     }
 }
 
-/// Both halves of a box.
+/// Returns both halves of a box.
 fn halved(sides: &[Interval], cut: usize) -> [Vec<Interval>; 2] {
     let middle = sides[cut].mid();
     let half = |side: Interval| {

@@ -13,25 +13,25 @@ use crate::numbers::enclosure::Series;
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
 use crate::system::System;
 
-/// Coefficients of a series that hold its values and slopes.
+/// The number of coefficients of a series with values and slopes.
 const SLOPES: usize = 2;
 
-/// The equations of a system as functions of coordinates, the dimensions that may be off, and time.
+/// The equations of a system as functions of coordinates, the dimensions with tolerances, and time.
 pub(super) struct Equations<'a> {
     bounds: Bounds<'a>,
     names: &'a [String],
-    /// Of each constraint, the parameters of its formula that hang on these dimensions, each with
-    /// its place among all numbers that hang on dimensions.
+    /// For each constraint the parameters of its formula that depend on these dimensions, as
+    /// (parameter, index among all numbers that depend on dimensions).
     hung: Vec<Vec<(usize, usize)>>,
 }
 
-/// Positions, and dimensions with the time behind the last of them.
+/// Positions, and dimensions with the time as the last entry.
 pub(super) struct Region<'a> {
     pub q: &'a [Interval],
     pub d: &'a [Interval],
 }
 
-/// Bounds of C_q and of the derivatives by dimensions and time, all that are not zero throughout.
+/// Bounds of C_q and of the derivatives by dimensions and time, except those that are always zero.
 #[derive(Default)]
 pub(super) struct Slopes {
     pub by_q: Vec<Entry>,
@@ -39,8 +39,8 @@ pub(super) struct Slopes {
 }
 
 impl<'a> Equations<'a> {
-    /// Errors: those of [`System::prove`]; by name a law, or a function of the user's program, that
-    /// hangs on one of the dimensions: of these no bounds are known.
+    /// Prepares the equations. Errors: those of [`System::prove`]; by name a law or a function of
+    /// the user's program that depends on one of the dimensions, because it has no known bounds.
     pub(super) fn new(system: &'a System, names: &'a [String]) -> Result<Self> {
         system.provable()?;
         let bounds = Bounds::new(system)?;
@@ -77,12 +77,12 @@ impl<'a> Equations<'a> {
         self.bounds.system
     }
 
-    /// The laws whose bounds are taken on their own word, each with its constraint.
+    /// Returns the laws whose stated bounds Kin relies on, each with its constraint.
     pub(super) fn trusted(&self) -> Vec<String> {
         self.bounds.trusted()
     }
 
-    /// The dimensions as they are, of which number `moving` moves.
+    /// Returns the nominal dimensions as series; dimension `moving` is the variable.
     fn nominal(&self, moving: Option<usize>) -> Result<Vec<Series>> {
         let of = |(k, name): (usize, &String)| {
             let x = Interval::from(self.system().parameter(name)?);
@@ -95,7 +95,7 @@ impl<'a> Equations<'a> {
         self.names.iter().enumerate().map(of).collect()
     }
 
-    /// All numbers that hang on dimensions, where number `moving` of these moves.
+    /// Returns all numbers that depend on dimensions; dimension `moving` is the variable.
     fn numbers(&self, d: &[Interval], moving: Option<usize>) -> Vec<Series> {
         let of = |(k, x): (usize, &Interval)| match moving {
             Some(moving) if moving == k => Series::variable(*x, ONE, SLOPES),
@@ -105,7 +105,7 @@ impl<'a> Equations<'a> {
         self.system().hung_over(self.names, &all).into_iter().map(|(_, number)| number).collect()
     }
 
-    /// Bounds of every row of C.
+    /// Returns bounds of every row of C.
     pub(super) fn residual(
         &self,
         region: &Region<'_>,
@@ -127,8 +127,9 @@ impl<'a> Equations<'a> {
         Ok(c)
     }
 
-    /// Bounds of the derivatives of every row. As in [`Part::jacobian`] each row is asked for along
-    /// everything that it may depend on: what jumps has no slope that would tell it.
+    /// Returns bounds of the derivatives of every row. As in [`Part::jacobian`], each row is
+    /// evaluated along every variable on which it may depend, because a jump has no slope that
+    /// would show it.
     pub(super) fn slopes(&self, region: &Region<'_>) -> std::result::Result<Slopes, Unknown> {
         let still = self.numbers(region.d, None);
         let moved: Vec<Vec<Series>> =
@@ -196,12 +197,12 @@ fn constants(all: &[Interval]) -> Vec<Series> {
     all.iter().map(|x| Series::constant(*x)).collect()
 }
 
-/// The time of a box.
+/// Returns the time of a box.
 fn time(d: &[Interval]) -> Interval {
     d.last().copied().unwrap_or(ZERO)
 }
 
-/// The parameters of a formula, those that hang on dimensions among them.
+/// Returns the parameters of a formula, including those that depend on dimensions.
 fn given(parameters: &[f64], hung: &[(usize, usize)], numbers: &[Series]) -> Vec<Series> {
     let mut all: Vec<Series> = parameters.iter().map(|x| Series::number(*x)).collect();
     hung.iter().for_each(|(own, number)| all[*own] = numbers[*number]);
@@ -215,8 +216,8 @@ fn refused(parameter: &str, reason: &str) -> Error {
     }
 }
 
-/// The number in the formula of the parameter of that name and value, or why there is none that can
-/// be followed.
+/// Returns the index in the formula of the parameter with this name and value, or the reason why it
+/// cannot be followed.
 fn parameter(
     part: &Part<'_>,
     name: &str,
@@ -240,7 +241,7 @@ fn parameter(
     found.unwrap_or(Err("is not read by an equation that is known as steps"))
 }
 
-/// True if a function that only the user's program can compute reads that parameter.
+/// Returns true if a function that only the user's program can compute reads that parameter.
 fn is_foreign(graph: &Graph, node: Node, parameter: usize) -> bool {
     let Op::Opaque(number, _) = graph.op(node) else { return false };
     let read =

@@ -1,23 +1,23 @@
-//! Worst cases that are proved: bounds of a feature over all mechanisms whose dimensions are within
-//! their tolerances.
+//! Proved worst cases: bounds of a feature over all mechanisms whose dimensions are within their
+//! tolerances.
 //!
-//! # What is shown
-//! At each point of the box of tolerances, and at each time of the spans that are asked for, the
-//! mechanism has the position that the motion has, carried on to these dimensions: one, continuous,
-//! without a singular position between. `low` and `high` are bounds of the feature over all of
-//! these. Of an extreme it is the largest (least) value within a span of time around it, at whose
-//! ends the rate is shown to have the signs of a rise and a fall, so that all mechanisms turn round
-//! between.
+//! # What a proof shows
+//! At each point of the box of tolerances, and at each time of the spans, the mechanism has one
+//! position. It is the continuation of the motion to these dimensions: continuous, without a
+//! singular position between. `low` and `high` are bounds of the feature over all of these
+//! positions. For an extreme the bound is the largest (smallest) value within a span of time around
+//! it. At the ends of the span the velocity has the signs of a rise and a fall, so all mechanisms
+//! have their extreme inside.
 //!
 //! # How
-//! * **A sheet** (`sheet.rs`) is the position over a box as q + S Δ and a remainder, which is small
-//!   of second order, by Krawczyk's test. So bounds are exact to first order.
-//! * **A box that has none is halved** along the dimension or time with which coordinates move most
-//!   (`cover.rs`); halves must be one solution where they meet. What has none after 40 halvings is
-//!   no proof: the error says where.
-//! * **The box with the farthest bound is halved** until that is near to a value that is attained.
+//! * **A sheet** (`sheet.rs`) is the position over a box as q + S Δ and a remainder of second
+//!   order, by Krawczyk's test. So bounds are exact to first order.
+//! * **A box without a sheet is bisected** along the dimension or time with which coordinates move
+//!   most (`cover.rs`). The halves must be one solution where they meet. A box without a sheet
+//!   after 40 bisections ends the proof; the error says where.
+//! * **The box with the worst bound is bisected** until the bound is near a value that is attained.
 //!
-//! It stands on the same enclosures as proofs of motions ([`crate::ask::proof`]).
+//! The proof has the assumptions of proofs of motions ([`crate::ask::proof`]).
 
 mod cover;
 mod equations;
@@ -33,16 +33,16 @@ use crate::numbers::enclosure::interval::{Interval, ZERO, up};
 use cover::{Cover, Covered, Node};
 use equations::Equations;
 
-/// Bounds are halved until they are this share of the worst case from a value that is
-/// attained.   \[-\]
+/// Bounds are refined until their distance from an attained value is this share of the worst case.
+/// \[-\]
 const NEAR: f64 = 0.005;
 
-/// Boxes are halved so often for that at most, for each bound.
+/// The largest number of bisections for this, for each bound.
 const FINE: usize = 250;
 
-/// Spans of time around an extreme reach so many times as far as it moves to first order, and at
-/// least over this share of the motion; they are made so many times wider, up to that share of
-/// it.   \[-\]
+/// The spans of time around an extreme. They reach [`SPAN`] times as far as the extreme moves to
+/// first order, and at least over the share [`LEAST`] of the motion. If necessary they grow by the
+/// factor [`WIDER`], up to the share [`WIDEST`] of the motion. \[-\]
 const SPAN: f64 = 2.5;
 const LEAST: f64 = 1e-5;
 const WIDER: f64 = 3.0;
@@ -52,33 +52,32 @@ const WIDEST: f64 = 0.05;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Proved {
-    /// No mechanism has less.   \[unit of the measure\]
+    /// The lower bound. \[unit of the measure\]
     pub low: f64,
-    /// No mechanism has more.   \[unit of the measure\]
+    /// The upper bound. \[unit of the measure\]
     pub high: f64,
-    /// Laws of the program's own whose bounds were taken on their own word, each with its
-    /// constraint.
+    /// The user-defined laws whose stated bounds the proof relies on, each with its constraint.
     pub trusted: Vec<String>,
 }
 
 impl Proved {
-    /// How far the farther bound is from a value.   \[unit of the measure\]
+    /// Returns the distance of the further bound from a value. \[unit of the measure\]
     pub fn off(&self, from: f64) -> f64 {
         up((self.high - from).max(from - self.low))
     }
 }
 
-/// A place of the feature: its sign, and the span in which it turns.
+/// A place of the feature: its sign, and the span of its extreme.
 struct Turn {
     sign: f64,
     t: f64,
-    /// The span, and whether the largest value in it is meant.
+    /// The span, and true if the feature is the largest value in it; `None` for a fixed time.
     span: Option<([f64; 2], bool)>,
-    /// The farthest that a span may reach.
+    /// The largest distance that a span may reach.
     widest: f64,
     /// The derivatives of its time by dimensions.
     moves: Vec<f64>,
-    /// The solution over the span with the dimensions as they are.
+    /// The solution over the span at the nominal dimensions.
     trail: Vec<Node>,
 }
 
@@ -136,16 +135,16 @@ fn turn(term: &Term, moves: Vec<f64>, sources: &[Source], times: &[f64]) -> Turn
     let reach: f64 = sources.iter().map(|source| source.off(|k| moves[k])).sum();
     let whole = times.first().zip(times.last()).map_or(1.0, |(from, to)| (to - from).abs());
     let reach = SPAN * reach + LEAST * whole;
-    // Where the second rate vanishes as well, an extreme may move anywhere.
+    // If the acceleration vanishes too, an extreme may move anywhere.
     let reach = if reach.is_finite() { reach } else { WIDEST * whole };
     let span = term.turn.map(|is_max| ([term.t - reach, term.t + reach], is_max));
     Turn { sign: term.sign, t: term.t, span, widest: WIDEST * whole, moves, trail: Vec::new() }
 }
 
 impl Proof<'_> {
-    /// The solutions over the spans with the dimensions as they are, which begin at the computed
-    /// positions; and that whatever the dimensions, the measure turns round in each span. A span is
-    /// made wider as long as that is not shown, and no more than a part of the motion.
+    /// Computes the solutions over the spans at the nominal dimensions, beginning at the computed
+    /// positions. It shows that the measure has its extreme in each span for all dimensions. It
+    /// widens a span until it can show this, up to a part of the motion.
     fn trails(&mut self) -> Result<()> {
         for k in 0..self.turns.len() {
             loop {
@@ -163,7 +162,7 @@ impl Proof<'_> {
         Ok(())
     }
 
-    /// The solution over one span with the dimensions as they are.
+    /// Computes the solution over one span at the nominal dimensions.
     fn trail(&self, k: usize) -> Result<Vec<Node>> {
         let turn = &self.turns[k];
         let place = &self.cover.places[k];
@@ -183,7 +182,7 @@ impl Proof<'_> {
         Err(cover.refused(reason))
     }
 
-    /// An error unless the measure turns round in a span whatever the dimensions.
+    /// Returns an error unless the measure has its extreme in a span for all dimensions.
     fn turns_round(&self, k: usize) -> Result<()> {
         let Some((span, is_max)) = self.turns[k].span else { return Ok(()) };
         for (end, rises) in span.into_iter().zip([is_max, !is_max]) {
@@ -195,7 +194,8 @@ impl Proof<'_> {
         Ok(())
     }
 
-    /// The whole box of tolerances over these spans of time, as the same solutions as the trails.
+    /// Returns the whole box of tolerances over these spans of time, with the same solutions as the
+    /// trails.
     fn root(&self, which: &[usize], spans: &[Interval]) -> Result<Vec<Node>> {
         let cover = &self.cover;
         let mut sides = cover.whole();
@@ -224,7 +224,7 @@ impl Proof<'_> {
         ))
     }
 
-    /// An error unless the measure rises (falls) in the whole box of a node.
+    /// Returns an error unless the measure rises (falls) in the whole box of a node.
     fn turning(&self, k: usize, node: &Node, rises: bool, most: usize) -> Result<()> {
         let rate = node.sheets[0].slope(self.coordinate, self.cover.names.len());
         if if rises { rate.lo() > 0.0 } else { rate.hi() < 0.0 } {
@@ -243,7 +243,7 @@ impl Proof<'_> {
         halves.iter().try_for_each(|node| self.turning(k, node, rises, most))
     }
 
-    /// The side of a box along which the measure is least linear.
+    /// Returns the side of a box along which the measure is least linear.
     fn most_bent(&self, node: &Node, sides: usize) -> Option<usize> {
         let d = self.cover.names.len();
         let bent = |k: usize| {
@@ -259,11 +259,11 @@ impl Proof<'_> {
         (!node.sides[cut].is_thin()).then_some(cut)
     }
 
-    /// A bound of the feature: the largest value for `side` 1, the least for −1.
+    /// Returns a bound of the feature: the largest value for `side` 1, the smallest for −1.
     ///
-    /// The largest value within a span is below the bounds over all of the span; it is above the
-    /// value at any time of the span, of which one is taken that is near the extreme where the
-    /// dimensions are worst.
+    /// The bounds over all of the span bound the largest value within it from above. The value at
+    /// any time of the span bounds it from below; Kin takes a time near the extreme at the worst
+    /// dimensions.
     fn bound(&self, side: f64) -> Result<f64> {
         let all: Vec<usize> = (0..self.turns.len()).collect();
         let spans: Vec<Interval> = self.turns.iter().map(|turn| self.span(turn, side)).collect();
@@ -301,7 +301,7 @@ impl Proof<'_> {
         Err(self.cover.refused("its bounds are not finite".to_string()))
     }
 
-    /// The times that a bound is taken over.
+    /// Returns the times over which a bound is taken.
     fn span(&self, turn: &Turn, side: f64) -> Interval {
         let Some(([from, to], is_max)) = turn.span else { return Interval::from(turn.t) };
         if is_max == (turn.sign * side > 0.0) {
@@ -312,8 +312,7 @@ impl Proof<'_> {
         Interval::from((turn.t + moved).clamp(from, to))
     }
 
-    /// A bound of `side` times the feature over a node, and a value of that which is attained in
-    /// it.
+    /// Returns a bound of `side` times the feature over a node, and an attained value in the node.
     fn value(&self, node: &Node, side: f64) -> (f64, Option<f64>) {
         let d = self.cover.names.len();
         let j = self.coordinate;
@@ -338,7 +337,7 @@ impl Proof<'_> {
                 + match source.parts[..] {
                     [_] => along,
                     _ => {
-                        // The disc around the dimensions as they are.
+                        // The disc around the nominal dimensions.
                         let size =
                             source.parts.iter().fold(ZERO, |sum, k| sum + slopes[*k].sqr()).sqrt();
                         let middle = source.parts.iter().fold(ZERO, |sum, k| {

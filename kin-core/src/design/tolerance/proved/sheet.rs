@@ -7,46 +7,45 @@ use super::equations::{Equations, Region, Slopes};
 use crate::ask::proof::{Entry, Unknown, settled};
 use crate::numbers::enclosure::interval::{Interval, ZERO, up};
 
-/// The smallest distance, in characteristic sizes, within which no other solution is looked
-/// for.   \[-\]
+/// The smallest radius, in characteristic sizes, within which other solutions are excluded. \[-\]
 const LEAST: f64 = 1e-6;
 
-/// Over a box of dimensions and time, whose last is the time, there is exactly one solution of C =
-/// 0 in `alone`, at each point of the box; it is continuous, and at c + Δ it is q + S Δ + `off`.
+/// Over a box of dimensions and time (the last side) there is exactly one solution of C = 0 in
+/// `alone`, at each point of the box. It is continuous, and at c + Δ it is q + S Δ + `off`.
 pub(super) struct Sheet {
     pub region: Vec<Interval>,
-    /// c
+    /// c, the centre of the box.
     pub centre: Vec<f64>,
     pub q: Vec<f64>,
-    /// S, near the derivatives of the solution at c.
+    /// S, an approximation of the derivatives of the solution at c.
     pub slopes: DMatrix<f64>,
     pub off: Vec<Interval>,
-    /// The derivatives of the solution are no further from S than this, throughout.
+    /// Bounds of the distance of the derivatives from S, over the whole box.
     pub bent: DMatrix<f64>,
     alone: Vec<Interval>,
 }
 
-/// Why there is no sheet.
+/// The reason why there is no sheet.
 pub(super) enum Fault {
     Unknown(Unknown),
     /// C_q may be singular.
     Singular,
 }
 
-/// A near C_q⁻¹ at the centre, for rows and columns of order 1.
+/// A, an approximation of C_q⁻¹ at the centre, for rows and columns of order 1.
 struct Frame<'a> {
     inverse: DMatrix<f64>,
     weights: Vec<f64>,
     sizes: &'a [f64],
 }
 
-/// The sheet over a box around a position at its centre.
+/// Computes the sheet over a box around a position at its centre.
 ///
 /// Along q + S Δ the rows of C are, by the mean value theorem, C(q, c) + (C_q S + C_d) Δ with
-/// derivatives within their bounds over the box. Times A that is small of second order, b. With R
-/// ≥ |I − A C_q| over positions no further than ρ from that plane, a y with b + R y < y ≤ ρ holds a
-/// solution at each Δ, the only one within ρ (as in `ask/proof/krawczyk.rs`). Its derivatives are
-/// S + e with
+/// derivatives within their bounds over the box. Multiplied by A this is small of second order: b.
+/// Let R ≥ |I − A C_q| over positions within ρ of that plane. If y satisfies b + R y < y ≤ ρ, there
+/// is a solution at each Δ, the only one within ρ (as in `ask/proof/krawczyk.rs`). Its derivatives
+/// are S + e with
 ///
 /// ```text
 /// C_q (S + e) = −C_d      |e| ≤ |A (C_q S + C_d)| + R |e|
@@ -100,7 +99,7 @@ pub(super) fn sheet(
     Ok(Sheet { region: region.to_vec(), centre, q: q.to_vec(), slopes, off, bent, alone })
 }
 
-/// x + S_j Δ
+/// Returns x + S_j Δ.
 fn along(x: Interval, slopes: &DMatrix<f64>, j: usize, moved: &[Interval]) -> Interval {
     moved
         .iter()
@@ -109,7 +108,7 @@ fn along(x: Interval, slopes: &DMatrix<f64>, j: usize, moved: &[Interval]) -> In
 }
 
 impl Sheet {
-    /// Bounds of the solution at a point of the box.
+    /// Returns bounds of the solution at a point of the box.
     fn at(&self, point: &[f64]) -> Vec<Interval> {
         let moved =
             point.iter().zip(&self.centre).map(|(x, c)| Interval::from(*x) - Interval::from(*c));
@@ -120,18 +119,18 @@ impl Sheet {
         self.q.iter().enumerate().map(of).collect()
     }
 
-    /// True if the point is in the box.
+    /// Returns true if the point is in the box.
     pub(super) fn holds(&self, point: &[f64]) -> bool {
         self.region.iter().zip(point).all(|(region, x)| region.contains(*x))
     }
 
-    /// True if a position is one that only the solution of this sheet can be near.
+    /// Returns true if only the solution of this sheet can be near a position.
     pub(super) fn is_near(&self, q: &[f64]) -> bool {
         self.alone.iter().zip(q).all(|(alone, q)| alone.contains(*q))
     }
 
-    /// True if two sheets that both hold a point are one there: the solution of one lies where the
-    /// other has no second.
+    /// Returns true if two sheets are equal at a point of both: the solution of one is in the
+    /// region in which the other has no second solution.
     pub(super) fn is_joined(&self, other: &Sheet, point: &[f64]) -> bool {
         let inside = |a: &Sheet, b: &Sheet| {
             a.at(point).iter().zip(&b.alone).all(|(x, b)| b.contains(x.lo()) && b.contains(x.hi()))
@@ -139,7 +138,7 @@ impl Sheet {
         self.holds(point) && other.holds(point) && (inside(self, other) || inside(other, self))
     }
 
-    /// Bounds of the derivative of coordinate j by number k of the box.
+    /// Returns bounds of the derivative of coordinate j by side k of the box.
     pub(super) fn slope(&self, j: usize, k: usize) -> Interval {
         Interval::from(self.slopes[(j, k)]) + Interval::ball(self.bent[(j, k)])
     }
@@ -156,7 +155,7 @@ impl<'a> Frame<'a> {
         inverse.iter().all(|x| x.is_finite()).then_some(Frame { inverse, weights, sizes })
     }
 
-    /// S = −C_q⁻¹ C_d, rounded.
+    /// Returns S = −C_q⁻¹ C_d, rounded.
     fn slopes(&self, by_d: &[Entry], count: usize) -> DMatrix<f64> {
         let mut c_d = DMatrix::<f64>::zeros(self.sizes.len(), count);
         by_d.iter().for_each(|(row, k, x)| c_d[(*row, *k)] -= x.mid() * self.weights[*row]);
@@ -165,7 +164,7 @@ impl<'a> Frame<'a> {
         slopes
     }
 
-    /// A C for rows as they are.
+    /// Returns A C, for unscaled rows.
     fn applied(&self, c: &[Interval]) -> Vec<Interval> {
         let mut sums = vec![ZERO; c.len()];
         for (row, c) in c.iter().enumerate().filter(|(_, c)| **c != ZERO) {
@@ -177,7 +176,7 @@ impl<'a> Frame<'a> {
         sums
     }
 
-    /// A (C_q S + C_d), column by column.
+    /// Returns A (C_q S + C_d), column by column.
     fn missed(&self, over: &Slopes, slopes: &DMatrix<f64>) -> Vec<Vec<Interval>> {
         let column = |k: usize| {
             let mut rows = vec![ZERO; self.sizes.len()];
@@ -191,7 +190,7 @@ impl<'a> Frame<'a> {
         (0..slopes.ncols()).map(column).collect()
     }
 
-    /// Bounds of |I − A C_q|.
+    /// Returns bounds of |I − A C_q|.
     fn contraction(&self, by_q: &[Entry]) -> DMatrix<f64> {
         let n = self.sizes.len();
         let mut columns = vec![vec![ZERO; n]; n];

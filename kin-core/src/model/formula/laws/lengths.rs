@@ -1,6 +1,6 @@
-//! Which laws of a formula are lengths and which are angles or numbers: the power of the unit of
-//! length in each is found from those of the rows and coordinates, because what is added or
-//! compared is of one kind.
+//! Determines which laws of a formula are lengths and which are angles or numbers. It derives the
+//! power of the unit of length of each law from those of the rows and coordinates, because operands
+//! of a sum or a comparison have the same unit.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -10,27 +10,29 @@ use kin_graph::{
     Comparison, Formula, Function, Function2, Input, LeafUse, Number, Source, evaluate,
 };
 
-/// Two powers that differ by less are one.   \[-\]
+/// The largest difference of two equal powers. Powers are small fractions, so only rounding
+/// separates them. \[-\]
 const SAME: f64 = 1e-9;
 
-/// Sums over the powers of parameters and laws, a number behind each, that are zero.
+/// Linear equations over the unknown powers of parameters and laws. The last number is the
+/// constant; each sum is zero.
 type Equations = Rc<RefCell<Vec<Vec<f64>>>>;
 
 /// The power of the unit of length in a number.
 #[derive(Clone)]
 enum Power {
-    /// Of zero, which is of any kind, and of what only the program knows.
+    /// The power of zero, which has any unit, and of a value that only the program knows.
     Any,
-    /// Of a number that may stand beside a length too.
+    /// The power of a plain number, which may also be added to a length.
     Plain,
-    /// A sum over what is asked for, and a number behind it.
+    /// A sum over the unknown powers, with a constant at the end.
     Sum(Vec<f64>, Equations),
 }
 
 use Power::{Any, Plain, Sum};
 
 impl Power {
-    /// Notes that it is 0.
+    /// Records that the power is 0.
     fn meets_zero(self) -> Power {
         if let Sum(power, equations) = self {
             equations.borrow_mut().push(power);
@@ -47,7 +49,7 @@ impl Power {
         }
     }
 
-    /// Of two that are of one kind.
+    /// Returns the power of two operands with the same unit.
     fn alike(self, other: Power) -> Power {
         match (self, other) {
             (Sum(a, equations), Sum(b, _)) => {
@@ -60,7 +62,7 @@ impl Power {
         }
     }
 
-    /// Of a product, or of a quotient by the sign.
+    /// Returns the power of a product (`sign` 1) or of a quotient (`sign` −1).
     fn with(self, other: Power, sign: f64) -> Power {
         match (self, other) {
             (Any, _) | (_, Any) => Any,
@@ -164,7 +166,7 @@ impl Number for Power {
     }
 }
 
-/// Coordinates by their powers, parameters and laws by numbers of their own.
+/// The inputs: coordinates with known powers, parameters and laws with unknown powers.
 struct Asked<'a> {
     columns: &'a [f64],
     parameters: usize,
@@ -216,9 +218,9 @@ impl Source<Power> for Asked<'_> {
     }
 }
 
-/// The power of the unit of length in each law, 1 of a length and 0 of an angle, by their numbers;
-/// `None` where formulas do not decide it. `columns` and `rows` are the powers of coordinates and
-/// rows, where they are known.
+/// Returns the power of the unit of length of each law, 1 for a length and 0 for an angle. Returns
+/// `None` if the formulas do not determine it. `columns` and `rows` are the powers of coordinates
+/// and rows, as far as they are known.
 pub(crate) fn lengths(
     formula: &Formula,
     laws: &[usize],
@@ -239,7 +241,8 @@ pub(crate) fn lengths(
     }
 }
 
-/// The unknowns that equations decide, by elimination; `None` where they contradict one another.
+/// Returns the unknowns that the equations determine, by elimination. Returns `None` if the
+/// equations contradict each other.
 fn solved(mut equations: Vec<Vec<f64>>, unknown: usize) -> Option<Vec<Option<f64>>> {
     let mut pivots: Vec<(usize, Vec<f64>)> = Vec::new();
     while let Some(mut row) = equations.pop() {

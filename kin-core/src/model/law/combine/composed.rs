@@ -1,4 +1,4 @@
-//! A law of a law.
+//! The composition of two laws.
 
 use kin_graph::{Graph, Node};
 
@@ -7,15 +7,15 @@ use crate::model::law::parts::{by_part, range_of_composed, set, show, slope};
 use crate::model::law::{Break, Law, LawFunction, LawRange, trusted_parts};
 use crate::numbers::enclosure::Series;
 
-/// f(g(x))
+/// The law f(g(x)).
 pub(super) struct Composed {
     pub outer: Law,
     pub inner: Law,
 }
 
 impl Composed {
-    /// The outer law's jet, that of its left side where a break of it is passed backwards: the
-    /// right side is that of x.
+    /// Returns the jet of the outer law. If the inner law decreases through a break of the outer
+    /// law, the jet is that of the left side, because that side is on the right in x.
     fn outer_jet(&self, [g, g1, g2, g3]: [f64; 4]) -> [f64; 4] {
         let falls = [g1, g2, g3].into_iter().find(|d| *d != 0.0).is_some_and(|d| d < 0.0);
         let begins = || self.outer.range().is_some_and(|range| range.from == g);
@@ -25,8 +25,8 @@ impl Composed {
         self.outer.jet(g)
     }
 
-    /// The breaks of the inner law, and those of the outer one, by `list`, where the inner law
-    /// takes their places.
+    /// Returns the breaks of the inner law, and the places where the inner law reaches a break of
+    /// the outer law. `list` lists breaks of one law.
     fn with_outer<I: IntoIterator<Item = Break>>(
         &self,
         mut all: Vec<Break>,

@@ -1,18 +1,18 @@
-//! A spline over many of its knots at once: what points and curvatures of each interval allow, in a
-//! few operations an interval.
+//! Bounds of a spline over many knots at once, from the points and curvatures of each interval, in
+//! a few operations an interval.
 
 use super::{Ends, Spline};
 use crate::numbers::enclosure::{Interval, ONE, Series};
 
-/// So many intervals are many.
+/// From this number of intervals on, the coarser bounds below replace those of each polynomial.
 const MANY: usize = 16;
 
 /// Bounds of f, f′, f″ and f‴.
 type Bounds = [Interval; 4];
 
 impl Spline {
-    /// The spline with bounds over an interval with many knots in it, of one period of it where it
-    /// repeats; `None` where there are few.
+    /// Returns bounds of the spline over an interval with many knots, or `None` if it has few
+    /// knots. For a spline that repeats the interval is in one period.
     pub(super) fn over_many(&self, x: &Series) -> Option<Series> {
         let [lo, hi] = x.values();
         let last = self.table.len() - 1;
@@ -25,7 +25,8 @@ impl Spline {
             return None;
         }
         let mut all = (from..to).map(|k| self.bounds(k)).reduce(hull)?;
-        // Straight on from the ends; where it repeats, by rounding alone.
+        // Outside a table that does not repeat the spline is straight. In a table that repeats only
+        // rounding leads outside.
         let zero = Interval::from(0.0);
         for (knot, beyond) in [(0, lo.min(first) - first), (last, hi.max(end) - end)]
             .into_iter()
@@ -41,15 +42,15 @@ impl Spline {
                 [there.at(0) + there.at(1) * Interval::from(beyond), there.at(1), zero, zero],
             );
         }
-        // Where a clamped one goes over into its line its curvature jumps.
+        // The curvature jumps where a clamped spline becomes a straight line.
         let jumps = matches!(self.ends, Ends::Clamped { .. }) && (lo <= first || hi >= end);
         let known = all.map(|bounds| [bounds.lo(), bounds.hi()]);
         Some(x.chain(&known[..if jumps { 3 } else { 4 }]))
     }
 
-    /// Bounds of the spline over interval k: it differs from the line through both points by no
-    /// more than h²/8 times the largest curvature, and its slope from that of the line by no more
-    /// than h/2 times that.
+    /// Returns bounds of the spline over interval k. The spline differs from the straight line
+    /// through both points by at most h²/8 times the largest curvature. Its slope differs from that
+    /// of the line by at most h/2 times the largest curvature.
     fn bounds(&self, k: usize) -> Bounds {
         let number = |x: f64| Interval::from(x);
         let (x0, y0) = self.table[k];

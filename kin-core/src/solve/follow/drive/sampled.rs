@@ -1,20 +1,20 @@
-//! Constraints of which no bounds are known: C with q held, at the eighths of a step.
+//! Constraints without known bounds: C at constant q, at the eighths of a step.
 
 use super::{Bound, COEFFICIENTS, DRIFT, Drive, EASY, Source, Span};
 use crate::numbers::enclosure::{Interval, ONE, Series};
 use crate::system::evaluate::{Equations, Instant};
 
-/// Samples of a step.
+/// The number of samples of a step.
 const SAMPLES: u32 = 8;
 
 impl Drive {
-    /// True if steps may be told by samples.
+    /// Returns true if samples may decide steps.
     pub(crate) fn may_sample(&self) -> bool {
         self.samples > 0
     }
 
-    /// The same as [`Drive::ends_suffice`] where some constraints have no bounds: these are sampled
-    /// with q held at the end of the step, and move it as far as where that was looked at last.
+    /// Tests like [`Drive::ends_suffice`] if some constraints have no bounds. It samples them at
+    /// the q of the end of the step and uses the last known effect on q.
     pub(crate) fn samples_suffice(
         &mut self,
         Span { equations, from, to, pivot }: Span<'_>,
@@ -35,7 +35,7 @@ impl Drive {
         self.sample(equations, instant, [from, to]);
         let mut off = Bound::default();
         for term in self.sources.iter().flat_map(|source| &source.terms) {
-            // A row that led nowhere when that was looked at has not been weighed.
+            // The effect of a row that was constant at the last check is unknown.
             if term.bound != Bound::default() && term.lever.is_nan() {
                 return false;
             }
@@ -44,7 +44,7 @@ impl Drive {
         DRIFT * off.at((to - from).abs()) * self.pivot <= EASY * pivot * pivot
     }
 
-    /// Samples what has no bounds.
+    /// Samples the constraints without bounds.
     pub(super) fn sample(&mut self, equations: &Equations, instant: &Instant, ends: [f64; 2]) {
         for source in self.sources.iter_mut().filter(|source| source.is_sampled) {
             let scratch = self.scratch.get_or_insert_with(|| instant.clone());
@@ -55,7 +55,8 @@ impl Drive {
 }
 
 impl Source {
-    /// How far its rows are off their polynomials of second degree at both ends, q held.
+    /// Computes the distance of its rows from their quadratic polynomials at both ends, at constant
+    /// q.
     fn sample(&mut self, equations: &Equations, scratch: &mut Instant, [from, to]: [f64; 2]) {
         let block = &equations.blocks[self.block];
         let ends = [from, to].map(|t| (t, equations.held(block, t, scratch)));

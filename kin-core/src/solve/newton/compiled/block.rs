@@ -1,4 +1,4 @@
-//! Times that a program computes between two plain steps.
+//! Times that a program computes between two single steps.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -17,39 +17,40 @@ use crate::solve::newton::{Outcome, Stop};
 use crate::system::evaluate::{Equations, Instant};
 use crate::system::stop;
 
-/// Times of a block at most, between plain steps.
+/// The largest number of times of a block.
 const MOST: usize = 240;
 
-/// A pivot or determinant that is less than this share of what it was where the block began is left
-/// to plain steps.   \[-\]
+/// A time is returned to the step-by-step solver if a pivot or determinant falls below this share
+/// of its value at the beginning of the block. \[-\]
 pub(super) const LEAST: f64 = 0.02;
 
-/// How far q, and q̇, q̈ and q⃛ by the largest of them, may be from those of a plain step.   \[-\]
+/// The permitted difference of q from a single step, and those of q̇, q̈ and q⃛ relative to the
+/// largest of them. \[-\]
 const SAME: [f64; ORDERS + 1] = [1e-9, 1e-7, 1e-6, 1e-5];
 
-/// Times that a program computes between two plain steps.
+/// Times that a program computes between two single steps.
 pub(super) struct Block<S: Level> {
     times: Times<S>,
     limits: Limits,
     instant: Instant,
-    /// True if laws have breaks that are looked for time by time.
+    /// True if laws have breaks, which must be looked for at each time.
     watches: bool,
-    /// Where the torn coordinates are led by earlier times: coefficients of q in powers of time
-    /// since the last one.
+    /// The predictions of the torn coordinates from earlier times: coefficients of q in powers of
+    /// the time since the last one.
     curves: Vec<Curve>,
-    /// Through the last three times, and through four that reach back as far as lanes lead on; true
-    /// where the latter would have been nearer.
+    /// Two kinds of curves: through the last three times, and through four times that reach back as
+    /// far as the lanes lead on. The flag is true if the latter would have been nearer.
     near: Curves,
     far: Curves,
     trusts_far: bool,
-    /// The first time that curves may reach back to, and how many breaks and singular positions
-    /// there were then.
+    /// The first time to which curves may reach back, and the number of breaks and singular
+    /// positions at that time.
     since: usize,
     met: usize,
-    /// The first time from which plain steps have to lead up to a block: where anything can jump,
-    /// the one after the last objection.
+    /// The first time from which single steps must lead up to a block: if something can jump, the
+    /// time after the last objection.
     from: usize,
-    /// A position that is looked at.
+    /// The position being examined.
     q: Vec<f64>,
     room: Sums,
     pub(super) objections: usize,
@@ -57,9 +58,9 @@ pub(super) struct Block<S: Level> {
 
 /// The reason why no more lanes are accepted.
 enum End {
-    /// All were taken.
+    /// All lanes were accepted.
     None,
-    /// There is more to be asked than the ends of a step tell.
+    /// The ends of a step do not show everything.
     Asked,
     Objection,
 }
@@ -88,13 +89,13 @@ impl<S: Level> Block<S> {
         }
     }
 
-    /// The number of times after which a block can begin: plain steps have to lead up to it, and
-    /// where rows give all coordinates nothing has to be guessed.
+    /// Returns the number of times after which a block can begin. Single steps must lead up to it.
+    /// If rows determine all coordinates, nothing must be predicted.
     pub(super) fn begins_after(&self) -> usize {
         self.from + if self.curves.is_empty() { 1 } else { ORDERS }
     }
 
-    /// Counts an objection. Beyond a jump curves lead nowhere that reach back before it.
+    /// Counts an objection. After a discontinuity, prediction must not use times before it.
     fn object(&mut self, next: usize) {
         self.objections += 1;
         if self.times.jumps() {
@@ -102,8 +103,8 @@ impl<S: Level> Block<S> {
         }
     }
 
-    /// Computes times from the last one of the motion, which is a plain step's, as far as there is
-    /// no objection; gives how many.
+    /// Computes times after the last one of the motion, which is from a single step, until there is
+    /// an objection. Returns the number of times.
     pub(super) fn take(
         &mut self,
         run: &mut Run<'_>,
@@ -119,14 +120,14 @@ impl<S: Level> Block<S> {
             (self.met, self.since) = (met, first - 1);
         }
         loop {
-            // The first group begins with the plain step's own time.
+            // The first group begins with the time of the single step.
             let from = if motion.len() == first { first - 1 } else { motion.len() };
             let to = times.len().min(from + Times::<S>::LANES);
             if from + 1 >= to && from < first || from >= to || motion.len() >= first + MOST {
                 break;
             }
             self.guess(motion);
-            // Before the first time of all there is none: what leads to it is not judged.
+            // The first of all times has no time before it, so nothing before it is tested.
             let before = from.saturating_sub(1);
             if from < first {
                 self.times.begin([motion.q(before), motion.qd(before), motion.qdd(before)]);
@@ -161,8 +162,8 @@ impl<S: Level> Block<S> {
         Ok(motion.len() - first)
     }
 
-    /// Looks for breaks of laws on the way to each time from number `first` on; an error cuts the
-    /// motion where single steps end.
+    /// Looks for breaks of laws on the way to each time from index `first` on. An error cuts the
+    /// motion where single steps would end.
     fn look(&mut self, run: &mut Run<'_>, motion: &mut Motion, first: usize) -> Result<()> {
         let equations = run.system().equations();
         for k in (first..motion.len()).filter(|_| self.watches) {
@@ -179,8 +180,8 @@ impl<S: Level> Block<S> {
         Ok(())
     }
 
-    /// The limits for the times to come, by the plain step in hand, and its smallest pivot; `None`
-    /// where plain steps had better go on.
+    /// Sets the limits of the next times from the present single step, and returns its smallest
+    /// pivot. Returns `None` if single steps should continue.
     fn limit(&mut self, run: &Run<'_>, motion: &Motion) -> Option<f64> {
         let newton = &run.stepper()?.newton;
         let options = newton.options;
@@ -214,7 +215,7 @@ impl<S: Level> Block<S> {
             .filter(|pivot| pivot.is_finite() && *pivot > 0.0)
     }
 
-    /// Where earlier times lead the torn coordinates.
+    /// Predicts the torn coordinates from earlier times.
     fn guess(&mut self, motion: &Motion) {
         if self.curves.is_empty() {
             return;
@@ -230,8 +231,8 @@ impl<S: Level> Block<S> {
             .for_each(|(curve, column)| *curve = of(column));
     }
 
-    /// Where Newton's method took more than one step from number `before` to the last one of the
-    /// motion: were the right times asked where they lead?
+    /// If Newton's method took more than one step from time `before` to the last time of the
+    /// motion, compares both kinds of curves.
     fn compare(&mut self, motion: &Motion, before: usize) {
         let last = motion.len() - 1;
         if before < self.since + self.far.reach_back()
@@ -251,7 +252,7 @@ impl<S: Level> Block<S> {
         self.trusts_far = off[1] <= off[0];
     }
 
-    /// True if the first lane has what the plain step has.
+    /// Returns true if the first lane has the result of the single step.
     fn agrees(&self, motion: &Motion, k: usize) -> bool {
         let plain = [motion.q(k), motion.qd(k), motion.qdd(k), motion.qddd(k)];
         (0..=ORDERS).all(|order| {
@@ -270,7 +271,7 @@ impl<S: Level> Block<S> {
         })
     }
 
-    /// Takes lanes in their order into the motion, until there is an objection.
+    /// Accepts lanes in order into the motion, until there is an objection.
     fn accept(
         &mut self,
         run: &mut Run<'_>,
@@ -283,9 +284,9 @@ impl<S: Level> Block<S> {
         let mut end = End::None;
         let Block { times: solved, instant, q, .. } = self;
         let branches = !run.system().equations().branches().is_empty();
-        // Where rows give all coordinates there is one position at each time, however far it is
-        // from the last one: there is no branch to leave, and nothing to be seen in between, unless
-        // something jumps.
+        // If rows determine all coordinates, there is one position at each time, however far it is
+        // from the last one. Then there is no branch to leave, and nothing hidden in between,
+        // unless something jumps.
         let is_given = solved.torn().is_empty() && !solved.jumps();
         let mut taken = first..first;
         let own =
@@ -293,7 +294,7 @@ impl<S: Level> Block<S> {
         for ((t, miss), share) in own.zip(&solved.judged.pivot.as_slice()[lanes]) {
             let own = begun * share;
             let least = own.min(*pivot);
-            // A miss that is not a number is an objection.
+            // An error that is NaN is an objection.
             let mut good = if is_given { !miss.is_nan() } else { !misses_too_far(*miss, least) };
             if branches && good {
                 solved.position(taken.end, q);
@@ -338,7 +339,7 @@ impl<S: Level> Block<S> {
     }
 }
 
-/// True if a position is what constraints mean.
+/// Returns true if a position is on the right branch of all constraints.
 #[cold]
 pub(super) fn is_meant(
     equations: &Equations,

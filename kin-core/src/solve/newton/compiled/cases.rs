@@ -1,4 +1,5 @@
-//! One program for many cases of a system: what differs between them is left free in it.
+//! One program for many cases of a system. The numbers that differ between cases are inputs of the
+//! program.
 
 use std::sync::Arc;
 
@@ -12,45 +13,45 @@ use crate::solve::newton::{Engine, SolverOptions};
 use crate::system::System;
 use crate::system::parameters::CasePlace;
 
-/// From so many times of a case on a program pays for it.
+/// The number of times of a case from which a program is faster.
 const FEWEST: usize = 24;
 
-/// Cases that are tried at most, to find one with a first position where the system as it is has
+/// The largest number of cases in which to look for a first position, if the system itself has
 /// none.
 const TRIED: usize = 8;
 
 /// Many cases of a system.
 pub(crate) struct Varied<'a> {
     pub system: &'a System,
-    /// The numbers that differ, and where they go.
+    /// The numbers that differ, with their places.
     pub names: &'a [String],
     pub places: &'a [CasePlace],
     /// The number of cases, and the times of each.
     pub count: usize,
     pub times: &'a [f64],
-    /// Gives a system the numbers of a case.
+    /// Sets the numbers of a case in a system.
     pub set: &'a dyn Fn(&mut System, usize) -> Result<()>,
 }
 
-/// The means that compute the cases of a sweep.
+/// The engine that computes the cases of a sweep.
 pub(crate) struct Cases {
     pub(super) by: By,
     lanes: Lanes,
 }
 
-/// The means by which the cases of a sweep are computed.
+/// The engine of the cases.
 pub(super) enum By {
-    /// The step-by-step solver; the reason, if a program was looked for.
+    /// The step-by-step solver, with the reason if the sweep looked for a program.
     Steps(Option<Arc<str>>),
-    /// One program.
+    /// One program for all cases.
     Program(Arc<Tape>),
-    /// The means of each case alone, for no first position was found to compile a program at.
+    /// A separate engine for each case, because no first position was found for a program.
     Each,
 }
 
 impl Cases {
-    /// As these options ask for it. Errors: options that a program does not know, or a mechanism
-    /// that cannot be compiled, where a program is asked for.
+    /// Selects the engine for these options. Errors: options that a program does not support, or a
+    /// mechanism that cannot be compiled, if the user requires a program.
     pub(crate) fn new(varied: &Varied<'_>, options: &SolverOptions, lanes: Lanes) -> Result<Self> {
         let Varied { system, count, times, .. } = *varied;
         let pays = times.len() >= FEWEST || options.engine == Engine::Compiled;
@@ -67,7 +68,8 @@ impl Cases {
         Ok(Cases { by, lanes })
     }
 
-    /// The means for one case, of so many times. Errors: as [`Computing::new`].
+    /// Returns the engine for one case with this number of times. Errors: those of
+    /// [`Computing::new`].
     pub(crate) fn computing(
         &self,
         system: &System,
@@ -80,7 +82,7 @@ impl Cases {
             By::Each => own(),
             By::Program(tape) => match tape.case(system) {
                 Some(case) => Ok(Computing::by(Some((Arc::clone(tape), case)), None, self.lanes)),
-                // Something is another one that was folded.
+                // A number that the program treats as a constant differs in this case.
                 None => own(),
             },
         }
@@ -88,9 +90,9 @@ impl Cases {
 }
 
 impl Varied<'_> {
-    /// The tape of all cases, its elimination chosen at the first position of the system as it is,
-    /// so that no case hangs on others; or of a case, where that has none. None where the first
-    /// cases have none either.
+    /// Makes the tape of all cases. Its elimination is chosen at the first position of the system,
+    /// so that no case depends on others. If the system has no first position, it is chosen at one
+    /// of the first cases. Returns `None` if these have none either.
     fn tape(
         &self,
         options: &SolverOptions,
@@ -110,7 +112,7 @@ impl Varied<'_> {
         Ok(None)
     }
 
-    /// The same, made of one of the cases; `None` where that has no first position.
+    /// Makes the tape from one of the cases, or returns `None` if that case has no first position.
     fn made_of(
         &self,
         typical: &System,

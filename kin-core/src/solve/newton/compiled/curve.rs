@@ -1,38 +1,38 @@
-//! Where earlier times lead a coordinate.
+//! Predicts a coordinate from earlier times.
 
 use crate::program::times::Curve;
 use crate::solve::motion::Motion;
 use crate::solve::newton::predictor::is_same;
 
-/// Times that a curve meets at most.
+/// The largest number of times through which a curve passes.
 const MOST: usize = 4;
 
-/// Coefficients of the rate: two for each time.
+/// The number of coefficients of the velocity: two for each time.
 const RATES: usize = 2 * MOST;
 
-/// The linear map from q̇ and q̈ at some times to the polynomial of least degree that meets them.
-/// It is the same for all coordinates, and on an even grid for all groups of times.
+/// The linear map from q̇ and q̈ at some times to the polynomial of least degree through them. It
+/// is the same for all coordinates, and on an even grid for all groups of times.
 pub(super) struct Curves {
-    /// How many times before the last one each of them is; the last one is the first.
+    /// The distance of each time from the last one, in times; the last one comes first.
     behind: Vec<usize>,
     times: [f64; MOST],
-    /// Of q̇ and q̈, time by time, the part in each coefficient of q but the first.
+    /// The share of q̇ and q̈ at each time in each coefficient of q except the first.
     parts: [[f64; RATES]; RATES],
 }
 
 impl Curves {
-    /// Through four times at most.
+    /// Creates a curve through at most four times.
     pub(super) fn through(behind: impl IntoIterator<Item = usize>) -> Self {
         let behind = behind.into_iter().take(MOST).collect();
         Curves { behind, times: [0.0; MOST], parts: [[0.0; RATES]; RATES] }
     }
 
-    /// How many times have to stand before the last one.
+    /// Returns the number of times that must precede the last one.
     pub(super) fn reach_back(&self) -> usize {
         self.behind.last().copied().unwrap_or_default()
     }
 
-    /// Makes the map for the times before number `last` of a motion, that one being 0.
+    /// Computes the map for the times before index `last` of a motion; that time is 0.
     pub(super) fn lead(&mut self, motion: &Motion, last: usize) {
         let mut times = [0.0; MOST];
         let all = motion.times();
@@ -52,7 +52,7 @@ impl Curves {
         }
     }
 
-    /// A coordinate as a polynomial of the time since number `last` of a motion.
+    /// Returns a coordinate as a polynomial of the time since index `last` of a motion.
     pub(super) fn of(&self, motion: &Motion, last: usize, column: usize) -> Curve {
         let mut sums = [0.0; RATES];
         for (behind, [first, second]) in self.behind.iter().zip(self.parts.as_chunks::<2>().0) {
@@ -68,16 +68,16 @@ impl Curves {
     }
 }
 
-/// The value of a curve.
+/// Returns the value of a curve.
 pub(super) fn at(curve: &Curve, s: f64) -> f64 {
     curve.iter().rev().fold(0.0, |sum, c| sum * s + c)
 }
 
-/// The coefficients of the integral of the polynomial that meets so many rates, q̇ and q̈ time by
-/// time.
+/// Returns the coefficients of the integral of the polynomial through `count` velocities and
+/// accelerations, time by time.
 fn integral(times: &[f64; MOST], rates: [f64; RATES], count: usize) -> [f64; RATES] {
     let at = |k: usize| times[k / 2];
-    // Divided differences over each time twice.
+    // Divided differences with each time twice.
     let mut table: [f64; RATES] = std::array::from_fn(|k| rates[k / 2 * 2]);
     let mut newton = [0.0; RATES];
     newton[0] = table[0];
@@ -88,7 +88,7 @@ fn integral(times: &[f64; MOST], rates: [f64; RATES], count: usize) -> [f64; RAT
         }
         *own = table[0];
     }
-    // From Newton's form to powers of time.
+    // Converts Newton's form to powers of time.
     let mut powers = [0.0; RATES];
     for level in (0..count).rev() {
         for k in (1..RATES).rev() {

@@ -1,17 +1,17 @@
-//! The constraints themselves at a time that a program has computed: by their own kernels, with
-//! parameters as they are now.
+//! Checks a time of the compiled program with the constraints themselves: their kernels and their
+//! present parameters.
 
 use crate::solve::motion::Motion;
 use crate::solve::newton::run::Run;
 use crate::system::evaluate::{Equations, Instant};
 
-/// How far the sum of a row may be off, of the sum of the sizes of its terms.   \[-\]
+/// The permitted sum of a row, as a share of the sum of the magnitudes of its terms. \[-\]
 const OFF: f64 = 1e-9;
 
-/// A row whose terms are small is held to this share of the largest row's.   \[-\]
+/// A row with small terms is compared with this share of the largest row. \[-\]
 const SMALL: f64 = 0.01;
 
-/// Of each row the sum of its terms, and of their sizes.
+/// For each row the sum of its terms, and the sum of their magnitudes.
 #[derive(Default)]
 pub(super) struct Sums {
     sums: Vec<f64>,
@@ -19,9 +19,9 @@ pub(super) struct Sums {
 }
 
 impl Run<'_> {
-    /// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, if the motion has q⃛, C_q q⃛ = −g‴(0) at the
-    /// last time of the motion; `allowed` is how far each row may be off. The position in hand is
-    /// that time's then: [`Run::go_on`] makes it another one.
+    /// Returns true if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, if the motion has q⃛, C_q q⃛ =
+    /// −g‴(0) hold at the last time of the motion. `allowed` is the allowance of each row.
+    /// Afterwards the present position is that time; [`Run::go_on`] changes it.
     pub(super) fn holds(&mut self, motion: &Motion, allowed: &[f64], room: &mut Sums) -> bool {
         let Some(last) = motion.len().checked_sub(1) else { return true };
         self.stepper_mut().is_some_and(|stepper| {
@@ -35,7 +35,7 @@ impl Run<'_> {
                     Look { equations, instant: &mut newton.instant, c: &newton.c, values, rhs };
                 holds(look, rates, (allowed, room))
             };
-            // The sizes that were measured there count from now on, or never.
+            // The sizes measured there are used from now on, or not at all.
             if holds {
                 newton.linear.confirm()
             } else {
@@ -46,7 +46,7 @@ impl Run<'_> {
     }
 }
 
-/// The constraints at a point: the instant, C and C_q there, and room for a right side.
+/// The constraints at a point: the instant, C and C_q, and a buffer for a right side.
 pub(super) struct Look<'n> {
     pub equations: &'n Equations,
     pub instant: &'n mut Instant,
@@ -55,14 +55,14 @@ pub(super) struct Look<'n> {
     pub rhs: &'n mut [f64],
 }
 
-/// True if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, unless it is empty, C_q q⃛ = −g‴(0) at that
-/// point.
+/// Returns true if C = 0, C_q q̇ = −C_t, C_q q̈ = Q_d and, unless it is empty, C_q q⃛ = −g‴(0) hold
+/// at that point.
 pub(super) fn holds(
     Look { equations, instant, c, values, rhs }: Look<'_>,
     [qd, qdd, qddd]: [&[f64]; 3],
     (allowed, room): (&[f64], &mut Sums),
 ) -> bool {
-    // The last correction has been made since C was looked at.
+    // The last correction came after this evaluation of C.
     let met = c.iter().zip(allowed).all(|(c, allowed)| c.abs() <= 2.0 * allowed);
     equations.velocity_rhs(instant, rhs);
     let mut is_solution = |x: &[f64], rhs: &[f64]| is_solution(equations, (values, x, rhs), room);
@@ -79,7 +79,7 @@ pub(super) fn holds(
     equations.jerk_rhs(qdd, instant, rhs).is_ok() && is_solution(qddd, rhs)
 }
 
-/// True if x solves C_q x = b, by the values of C_q.
+/// Returns true if x solves C_q x = b, from the values of C_q.
 fn is_solution(
     equations: &Equations,
     (values, x, b): (&[f64], &[f64], &[f64]),

@@ -1,5 +1,4 @@
-//! Single positions by the program that was asked for: one time alone, from coordinates that are
-//! near.
+//! Single positions with the compiled program, from nearby coordinates.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -13,35 +12,37 @@ use crate::solve::newton::{DOUBTFUL, Engine, Newton, Report, SIMILAR, SolverOpti
 use crate::system::evaluate::Instant;
 use crate::system::{Solution, System, stop};
 
-/// Newton steps at most: from near by they are few, and from elsewhere damped ones are asked for.
+/// The largest number of Newton steps: a nearby start needs few, and other starts need damped
+/// steps.
 const STEPS: usize = 4;
 
-/// Every coordinate is this near to where it begins, unless rows give them all: from further off
-/// the steps of a program may come to another assembly than those of all coordinates.   \[-\]
+/// The largest distance of a coordinate from its start, unless rows determine all coordinates. From
+/// further away the program's steps may lead to another assembly than those of all coordinates.
+/// \[-\]
 const NEAR: f64 = 0.1;
 
-/// The tolerance of the stop rule at most: see [`Stop::Converged`].   \[-\]
+/// The largest tolerance of the stop rule: see [`Stop::Converged`]. \[-\]
 const TOLERANCE: f64 = 1e-13;
 
-/// The constraints' own kernels look at the first position in a room, and at each that so many
-/// others have gone before.
+/// The constraints' kernels check the first position of a workspace, and then one of every `LOOKS`
+/// positions.
 const LOOKS: usize = 64;
 
-/// A program for single positions, with what is known where its elimination was chosen.
+/// A program for single positions, with data from the position at which its elimination was chosen.
 pub(super) struct Positions {
     tape: Arc<Tape>,
     t: f64,
     q: Vec<f64>,
     sizes: Vec<f64>,
-    /// The smallest pivot, the norms of rows and the values of C_q.
+    /// The smallest pivot, the norms of rows and the values of C_q at that position.
     pivot: f64,
     norms: Vec<f64>,
     values: Vec<f64>,
-    /// A room that no call has in hand, with the next one.
+    /// A workspace that no call uses, with a link to the next one.
     rooms: Mutex<Option<Box<Room>>>,
 }
 
-/// All that a call needs; what is left of the calls before has no say in the numbers.
+/// The workspace of a call. Data from earlier calls do not change the numbers.
 struct Room {
     alone: Alone,
     tolerance: f64,
@@ -52,11 +53,11 @@ struct Room {
     rhs: Vec<f64>,
     sums: Sums,
     calls: usize,
-    /// Another one that no call has in hand.
+    /// Another workspace that no call uses.
     next: Option<Box<Room>>,
 }
 
-/// A position that is asked for, on its way to the lanes of the machine.
+/// A requested position, passed to the SIMD lanes of the machine.
 struct Asked<'a> {
     positions: &'a Positions,
     system: &'a System,
@@ -66,8 +67,8 @@ struct Asked<'a> {
     steps: usize,
 }
 
-/// Position, velocity and acceleration at time t from coordinates that are near, by the program
-/// that [`System::compile`] has made; `None` where plain steps have to find them.
+/// Returns position, velocity and acceleration at time t from nearby coordinates, with the program
+/// of [`System::compile`]. Returns `None` if the step-by-step solver must find them.
 pub(crate) fn position(
     system: &System,
     t: f64,
@@ -79,7 +80,7 @@ pub(crate) fn position(
 }
 
 impl Positions {
-    /// For a program whose elimination was chosen at the position in hand.
+    /// Creates the positions for a program whose elimination was chosen at the present position.
     pub(super) fn new(tape: Arc<Tape>, newton: &Newton<'_>, t: f64) -> Self {
         Positions {
             tape,
@@ -93,7 +94,7 @@ impl Positions {
         }
     }
 
-    /// The position at time t from coordinates that are near.
+    /// Returns the position at time t from nearby coordinates.
     pub(super) fn position(
         &self,
         system: &System,
@@ -105,19 +106,20 @@ impl Positions {
         if options.engine == Engine::StepByStep || !options.predict || options.jerk {
             return None;
         }
-        // Rates are those of the position before the last correction, which has to be none.
+        // Velocities belong to the position before the last correction, which must be negligible.
         let tolerance = tolerance.min(TOLERANCE);
         let steps = options.max_iterations.min(STEPS);
         Lanes::Best.dispatch(Asked { positions: self, system, t, from, tolerance, steps }).ok()?
     }
 
-    /// True if rows give all coordinates: there is one position at each time, wherever it is looked
-    /// for from.
+    /// Returns true if rows determine all coordinates: there is one position at each time, from any
+    /// start.
     fn is_given(&self) -> bool {
         self.tape.torn().is_empty() && !self.tape.jumps()
     }
 
-    /// The limits for positions, each row by what it may be off where the program was chosen.
+    /// Returns the limits for positions, with the allowance of each row at the position of the
+    /// program.
     fn limits(&self, system: &System, tolerance: f64, steps: usize) -> Limits {
         let sizes: Vec<f64> = self.tape.torn().iter().map(|column| self.sizes[*column]).collect();
         let entries = system.equations().entries.iter().zip(&self.values);
@@ -136,7 +138,7 @@ impl Positions {
         }
     }
 
-    /// A room that nobody has in hand.
+    /// Returns a workspace that no call uses.
     fn room<S: Level>(&self, simd: S, system: &System) -> Box<Room> {
         let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
         let Some(mut room) = rooms.take() else {
@@ -147,7 +149,7 @@ impl Positions {
         room
     }
 
-    /// Keeps a room for other calls.
+    /// Returns a workspace for later calls.
     fn keep(&self, mut room: Box<Room>) {
         let mut rooms = self.rooms.lock().unwrap_or_else(PoisonError::into_inner);
         room.next = rooms.take();
@@ -171,7 +173,7 @@ impl Positions {
             next: None,
         };
         equations.set_constants(&mut room.values);
-        // Shares of pivots are of those at the position where the program was chosen.
+        // Pivots are relative to those at the position where the program was chosen.
         room.alone.solve(simd, self.t, &self.q, &self.limits(system, TOLERANCE, STEPS));
         room.alone.mark();
         room
@@ -201,10 +203,10 @@ impl Asked<'_> {
         let near = |(q, (from, size)): (&f64, (&f64, &f64))| (q - from).abs() <= NEAR * size;
         let is_near =
             positions.is_given() || q.iter().zip(from.iter().zip(&positions.sizes)).all(near);
-        // 0 · x is 0 of a number, and not a number of anything else.
+        // 0 · x is 0 for a finite x, otherwise NaN.
         let finite =
             [&q, &qd, &qdd].iter().all(|list| list.iter().fold(0.0, |sum, x| sum + 0.0 * x) == 0.0);
-        // Plain steps tell whether a position is singular.
+        // The step-by-step solver decides whether a position is singular.
         let fits = finite && is_near && smallest_pivot >= SIMILAR * DOUBTFUL;
         if !(fits && self.is_meant(room, &q) && self.is_believed(room, [&q, &qd, &qdd])) {
             return None;
@@ -220,14 +222,14 @@ impl Asked<'_> {
         Some(Solution { t, q, qd, qdd, report })
     }
 
-    /// True if a position is what constraints mean.
+    /// Returns true if a position is on the right branch of all constraints.
     fn is_meant(&self, room: &mut Room, q: &[f64]) -> bool {
         let equations = self.system.equations();
         equations.branches().is_empty() || is_meant(equations, (self.t, q), &mut room.instant)
     }
 
-    /// True unless the constraints' own kernels are asked and say something else: then they are
-    /// asked again at the next position.
+    /// Returns false if the constraints' kernels check the position and contradict it. Then they
+    /// check the next position too.
     fn is_believed(&self, room: &mut Room, [q, qd, qdd]: [&[f64]; 3]) -> bool {
         if !room.calls.is_multiple_of(LOOKS) {
             room.calls += 1;

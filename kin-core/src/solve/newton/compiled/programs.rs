@@ -1,5 +1,5 @@
-//! The programs of a system: made once for each position that runs begin at, and kept beside the
-//! system until something in it is set.
+//! The programs of a system: one for each position at which runs begin, kept with the system until
+//! something in it is set.
 
 use std::sync::Arc;
 
@@ -12,24 +12,24 @@ use crate::system::System;
 /// The outcome of compiling.
 pub(crate) type Compiling = std::result::Result<Arc<Tape>, Refusal>;
 
-/// The program that was asked for by [`System::compile`], and the last one that a run has made.
+/// The program of [`System::compile`], and the last program of a run.
 #[derive(Clone, Default)]
 pub(super) struct Programs {
     asked: Option<Made>,
     last: Option<Made>,
-    /// The one that was asked for, for single positions.
+    /// The program for single positions, if [`System::compile`] was called.
     positions: Option<Arc<Positions>>,
 }
 
-/// A program with the pose that its elimination was chosen at. At another one it would give the
-/// same numbers but for the last digits, and those must not depend on what was run before.
+/// A program with the pose at which its elimination was chosen. At another pose the last digits
+/// would differ, and these must not depend on earlier runs.
 #[derive(Clone)]
 struct Made {
     pose: Arc<[u64]>,
     tape: Compiling,
 }
 
-/// The program for a run that begins at the position in hand.
+/// Returns the program for a run that begins at the present position.
 pub(super) fn cached(newton: &Newton<'_>, t: f64) -> Compiling {
     let system = newton.system;
     let pose = bits(newton, t);
@@ -43,7 +43,7 @@ pub(super) fn cached(newton: &Newton<'_>, t: f64) -> Compiling {
     tape
 }
 
-/// The same where it was asked for, to be kept for all runs that begin there.
+/// Makes the program for [`System::compile`], kept for all runs that begin there.
 pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
     let tape = cached(newton, t);
     let asked = Some(Made { pose: bits(newton, t), tape: tape.clone() });
@@ -54,13 +54,13 @@ pub(crate) fn ask(newton: &Newton<'_>, t: f64) -> Compiling {
 }
 
 impl Programs {
-    /// The program that was asked for, for single positions.
+    /// Returns the program for single positions.
     pub(super) fn positions(&self) -> Option<&Positions> {
         self.positions.as_deref()
     }
 }
 
-/// True if a program was asked for by [`System::compile`]: that is one without q⃛.
+/// Returns true if [`System::compile`] was called; that program has no q⃛.
 pub(super) fn is_asked(system: &System) -> bool {
     known(system).asked.is_some()
 }
@@ -69,14 +69,15 @@ fn known(system: &System) -> Programs {
     system.cache().get::<Programs>().map(|programs| (*programs).clone()).unwrap_or_default()
 }
 
-/// All that a program is made by: what an elimination is chosen by, and whether q⃛ is asked for.
+/// Returns all data from which a program is made, as bits: those that determine the elimination,
+/// and whether q⃛ is computed.
 fn bits(newton: &Newton<'_>, t: f64) -> Arc<[u64]> {
     let numbers =
         [t].into_iter().chain(newton.q.iter().copied()).chain(newton.sizes.iter().copied());
     numbers.map(f64::to_bits).chain([u64::from(newton.options.jerk)]).collect()
 }
 
-/// The program of a system, its elimination chosen at the position in hand.
+/// Makes the program of a system with an elimination chosen at the present position.
 fn tape(newton: &Newton<'_>, t: f64) -> Compiling {
     can_be(newton.system)?;
     let pose = Pose { t, q: &newton.q, sizes: &newton.sizes };

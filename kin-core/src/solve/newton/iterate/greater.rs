@@ -1,41 +1,43 @@
-//! Positions on a step: one rule chooses the branch, whatever the guess was.
+//! Selects the branch of a position on a step by a rule that does not depend on the guess.
 //!
-//! Newton's method ends within rounding of the exact position. Where a coordinate rests on a step
-//! of an equation, that rounding decides the branch, and it depends on the guess: on the engine, on
-//! the grid, on other coordinates. So of branches that are right to rounding the one with the
-//! greater choices is taken: a whole number that is met counts as reached, a condition that is met
+//! Newton's method ends within rounding of the exact position. If a coordinate is on a step of an
+//! equation, rounding decides the branch, and it depends on the guess, the engine, the grid and
+//! other coordinates. So of the branches that are correct within rounding Kin takes the one with
+//! the greater choices: an integer that is reached counts as reached, and a condition at equality
 //! counts as true.
 
 use crate::solve::newton::Newton;
 use crate::system::stop;
 
-/// A coordinate may be off by this share of its size beside rounding of itself: what the stop rule
-/// leaves. \[-\]
+/// The permitted error of a coordinate from the stop rule, as a share of its size, in addition to
+/// its rounding. \[-\]
 const OFF: f64 = 1e-13;
 
-/// Shares of that by which a coordinate is moved over a step, the smallest first.   \[-\]
+/// The displacements of a coordinate over a step, as shares of that error, the smallest first.
+/// \[-\]
 const SHARES: [f64; 3] = [0.25, 0.5, 1.0];
 
-/// Rounds at most: a coordinate that one step gives may rest on the next step.
+/// The largest number of rounds: a coordinate that one step determines may be on the next step.
 const ROUNDS: usize = 8;
 
-/// Newton steps at most from one branch to the next.
+/// The largest number of Newton steps from one branch to the next.
 const STEPS: usize = 24;
 
-/// A row that was met may be off by this many times the allowed amount where its coordinates are
-/// moved over a step.   \[-\]
+/// The permitted residual of a satisfied row, as a multiple of its allowance, when its coordinates
+/// move over a step. \[-\]
 const HELD: f64 = 2.0;
 
 /// A position on a step, on the branch with the greater choices.
 struct Greater {
     q: Vec<f64>,
-    /// The constraints whose choices are greater there, with all choices of each of them.
+    /// The constraints with greater choices there, with all choices of each of them.
     choices: Vec<(usize, Vec<f64>)>,
 }
 
 impl Newton<'_> {
-    /// Goes from the position in hand to the branch with the greater choices as long as there is
-    /// one that is right to rounding; true if the matrix of the position in hand is factored.
+    /// Moves from the present position to the branch with the greater choices, as long as there is
+    /// one that is correct within rounding. Returns true if the matrix of the present position is
+    /// factored.
     #[cold]
     pub(in crate::solve::newton) fn take_greater_choices(&mut self, t: f64) -> bool {
         for _ in 0..ROUNDS {
@@ -49,8 +51,8 @@ impl Newton<'_> {
         true
     }
 
-    /// The position in hand with coordinates moved by rounding such that constraints make greater
-    /// choices, the first constraint's before those of the next, if there are any.
+    /// Returns the present position with coordinates moved within rounding so that constraints make
+    /// greater choices, the first constraint first. Returns `None` if there is no such position.
     fn greater(&mut self, t: f64) -> Option<Greater> {
         let system = self.system;
         let mut q = self.q.to_vec();
@@ -88,7 +90,7 @@ impl Newton<'_> {
         (!choices.is_empty()).then_some(Greater { q, choices })
     }
 
-    /// The coordinates that a constraint reads.
+    /// Returns the coordinates of a constraint.
     fn columns(&self, number: usize) -> Vec<usize> {
         let constraint = &self.system.equations().blocks[number].constraint;
         let arguments = constraint.arguments();
@@ -99,8 +101,8 @@ impl Newton<'_> {
         columns
     }
 
-    /// Newton's method from there, rows that are met being left as they are: coordinates that were
-    /// moved by rounding stay where they are. False if it does not end.
+    /// Runs Newton's method from there. Satisfied rows are left alone, so coordinates that were
+    /// moved within rounding stay. Returns false if it does not end.
     fn settle(&mut self, t: f64) -> bool {
         let mut allowed = Vec::new();
         for _ in 0..STEPS {
@@ -124,7 +126,7 @@ impl Newton<'_> {
         false
     }
 
-    /// True if constraints make the choices that were looked for.
+    /// Returns true if constraints make the required choices.
     fn has_choices(&mut self, t: f64, greater: &Greater) -> bool {
         let q = self.q.to_vec();
         greater
@@ -133,7 +135,8 @@ impl Newton<'_> {
             .all(|(number, choices)| self.choices_at(t, &q, Some(*number)) == *choices)
     }
 
-    /// All choices of a constraint, or of all of them, at a position that the instant is set to.
+    /// Returns all choices of one constraint, or of all constraints, at a position to which it sets
+    /// the instant.
     fn choices_at(&mut self, t: f64, q: &[f64], number: Option<usize>) -> Vec<f64> {
         let equations = self.system.equations();
         if self.instant.t() != t {

@@ -1,4 +1,4 @@
-//! The iteration of one position, by the matrix of a mechanism with as many equations as
+//! The iteration of one position with the matrix of a mechanism with as many equations as
 //! coordinates.
 
 use super::{Ending, Iterating};
@@ -6,28 +6,28 @@ use crate::numbers::padded;
 use crate::solve::newton::{Failure, Newton, Steps, largest};
 use crate::system::stop;
 
-/// A single position that is looked for by such steps.
+/// A single position that Newton's steps search.
 pub(in crate::solve::newton) struct Single<'n, 'a> {
     pub newton: &'n mut Newton<'a>,
     pub t: f64,
     pub steps: Steps,
-    /// True if the point in hand is the solution of another time.
+    /// True if the present point is the solution of another time.
     pub still: bool,
     pub iterations: usize,
-    /// Why it is not found, where a number or a matrix says so.
+    /// The reason for a failure, if a number or a matrix shows it.
     pub failure: Option<Failure>,
-    /// The position that the last correction has left, where an equation jumps with it.
+    /// The position before the last correction, if an equation jumps with that correction.
     pub left: Option<Box<Left>>,
 }
 
-/// A position that meets all equations, on a branch that its last correction leaves.
+/// A position that satisfies all equations, on a branch that its last correction leaves.
 pub(in crate::solve::newton) struct Left {
     pub q: Vec<f64>,
     choices: Vec<f64>,
 }
 
 impl Single<'_, '_> {
-    /// Keeps the reason; gives that the position is not found.
+    /// Records the reason and returns false.
     #[cold]
     #[inline(never)]
     fn fail(&mut self, why: Failure) -> bool {
@@ -35,10 +35,10 @@ impl Single<'_, '_> {
         false
     }
 
-    /// The last correction has led over a jump. Its target is the more exact position, so Newton's
-    /// steps go on from there. Where they lead back over the jump, both branches are right to
-    /// rounding, and the one whose choices are greater is taken: a whole number that is met counts
-    /// as reached.
+    /// Handles a last correction that led over a jump. Its target is the more exact position, so
+    /// Newton's steps continue from there. If they lead back over the jump, both branches are
+    /// correct within rounding, and the one with greater choices is taken: an integer that is
+    /// reached counts as reached.
     #[cold]
     fn jump(&mut self) -> Ending {
         let newton = &mut *self.newton;
@@ -108,8 +108,8 @@ impl Iterating for Single<'_, '_> {
         correction <= stop::resting(q, sizes, linear.smallest_pivot()) && self.is_met(tolerance)
     }
 
-    /// The last correction keeps errors of predictions from adding up, and where equations jump it
-    /// decides the branch.
+    /// The last correction prevents errors of predictions from accumulating. Where equations jump,
+    /// it decides the branch.
     #[inline(always)]
     fn end(&mut self) -> Ending {
         let is_corrected = self.newton.options.predict || self.newton.jumps;

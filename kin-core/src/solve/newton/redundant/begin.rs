@@ -63,7 +63,7 @@ impl<'a> Position<'a> {
         }
     }
 
-    /// Assembled from the guess, into the preferred assembly.
+    /// Assembles from the guess, into the preferred assembly.
     pub(super) fn assembled(
         system: &'a System,
         options: &'a SolverOptions,
@@ -82,7 +82,7 @@ impl<'a> Position<'a> {
         Self::found(system, options, t, found, (system.initial(), explain))
     }
 
-    /// Assembled from a start, nothing preferred.
+    /// Assembles from a start, without preferences.
     pub(super) fn from_start(
         system: &'a System,
         options: &'a SolverOptions,
@@ -100,7 +100,7 @@ impl<'a> Position<'a> {
         Self::found(system, options, t, found, (start, Some(explain)))
     }
 
-    /// From a position that is known to be met at that time, or nearly.
+    /// Solves from a position that satisfies the equations at that time, at least nearly.
     pub(super) fn near(
         system: &'a System,
         options: &'a SolverOptions,

@@ -1,9 +1,9 @@
-//! Why a mechanism with more equations than coordinates cannot be solved at a time.
+//! The reasons why a mechanism with more equations than coordinates cannot be solved at a time.
 
 use crate::model::error::Error;
 use crate::system::System;
 
-/// The same error where nobody asks what is wrong: the equation that is furthest from being met.
+/// Returns the error without a diagnosis: it names the equation with the largest residual.
 pub(super) fn unmet(
     system: &System,
     q: &[f64],

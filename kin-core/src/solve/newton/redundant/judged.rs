@@ -1,4 +1,4 @@
-//! Steps of redundant mechanisms, judged by what they have: no signs of determinants.
+//! Tests steps of redundant mechanisms. A rectangular matrix has no sign of its determinant.
 
 use super::super::Follow;
 use super::Position;
@@ -7,9 +7,9 @@ use crate::solve::follow::{Lever, Objection, Span, misses_too_far, turns_too_far
 use crate::system::evaluate::Instant;
 
 impl Position<'_> {
-    /// The objection to the step to `target`: it turns something too far, a prediction from either
-    /// end misses the other by more than is sure to be one branch, or drives may move further in
-    /// between. Signs of determinants, which rectangular matrices have not, are not asked.
+    /// Returns the objection to the step to `target`, if there is one. It rotates something too
+    /// far, the prediction from one end misses the other by too much, or drivers may move further
+    /// in between. The test uses no signs of determinants, because rectangular matrices have none.
     pub(super) fn objection(&mut self, target: f64) -> Option<Objection> {
         if self.options.follow == Follow::Unchecked {
             return None;
@@ -40,7 +40,7 @@ impl Position<'_> {
     }
 }
 
-/// The matrix in hand as a lever, in the sense of least squares.
+/// The present matrix as a lever, by least squares.
 struct LeastSquaresLever<'d, 'a> {
     instant: Instant,
     position: &'d mut Position<'a>,

@@ -5,12 +5,12 @@ use crate::numbers::padded;
 use crate::solve::newton::iterate::{Ending, Iterating};
 use crate::system::stop;
 
-/// A position that all rows ask for.
+/// A position that must satisfy all rows.
 pub(super) struct Rows<'d, 'a> {
     pub position: &'d mut Position<'a>,
     pub t: f64,
     pub iterations: usize,
-    /// The position before the last step, where an equation can jump or has a kink.
+    /// The position before the last step, if an equation can jump.
     pub before: Vec<f64>,
 }
 
@@ -38,7 +38,7 @@ impl Iterating for Rows<'_, '_> {
         self.correction()
     }
 
-    /// Rows that contradict one another a little leave C where it is: it is looked at in the end.
+    /// Rows that contradict each other a little keep a nonzero C, so C is checked at the end.
     fn is_met(&mut self, _: f64) -> bool {
         true
     }

@@ -1,4 +1,5 @@
-//! More equations than coordinates, solved for as many of them or in the sense of least squares.
+//! Solves more equations than coordinates: a selection of independent ones, or all by least
+//! squares.
 
 use super::super::SolverOptions;
 use crate::linear::{Independent, LeastSquares};
@@ -7,12 +8,13 @@ use crate::solve::explain::{Explain, Start};
 use crate::system::System;
 use crate::system::scaled::{Measures, Model};
 
-/// The means to solve C_q x = b; rows and columns of order 1.
+/// The solver of C_q x = b, with rows and columns of order 1.
 pub(super) enum Solver {
-    /// Where equations agree, which half the work does for.
+    /// A selection of independent equations. It suffices if the equations agree, and costs half as
+    /// much.
     Independent(Independent),
-    /// Where they may contradict one another a little: no equation is to be believed more than
-    /// another.
+    /// All equations by least squares. It serves if they may contradict each other, because no
+    /// equation counts more than another.
     LeastSquares(LeastSquares),
 }
 
@@ -28,8 +30,8 @@ impl Solver {
         }
     }
 
-    /// Takes the values of C_q in the order of its entries; false if the columns depend on one
-    /// another.
+    /// Factors C_q with its values in the order of the entries. Returns false if the columns depend
+    /// on one another.
     pub(super) fn factor(&mut self, values: impl Iterator<Item = f64>) -> bool {
         match self {
             Solver::Independent(rows) => rows.factor(values),
@@ -37,7 +39,7 @@ impl Solver {
         }
     }
 
-    /// x for the right side b.
+    /// Returns x for the right side b.
     pub(super) fn solve(&mut self, b: &[f64]) -> &[f64] {
         match self {
             Solver::Independent(rows) => rows.solve(b),
@@ -45,7 +47,7 @@ impl Solver {
         }
     }
 
-    /// b − C_q x of the last solution, row by row, into `left`, which holds b.
+    /// Writes b − C_q x of the last solution, row by row, into `left`, which contains b.
     pub(super) fn leave(&self, left: &mut [f64]) {
         match self {
             Solver::Independent(rows) => rows.leave(left),
@@ -53,7 +55,7 @@ impl Solver {
         }
     }
 
-    /// The smallest pivot of the last factoring.   \[-\]
+    /// Returns the smallest pivot of the last factoring. \[-\]
     pub(super) fn smallest_pivot(&self) -> f64 {
         match self {
             Solver::Independent(rows) => rows.smallest_pivot(),
@@ -62,7 +64,7 @@ impl Solver {
     }
 }
 
-/// C_q x = the right side at a position, in the sense of least squares.
+/// Solves C_q x = the right side at a position, by least squares.
 pub(crate) fn solved(
     system: &System,
     q: &[f64],
@@ -95,7 +97,7 @@ pub(crate) fn solved(
     Ok(y.iter().zip(&measures.sizes).map(|(y, size)| y * size).collect())
 }
 
-/// The factor of each value of C_q that makes it of order 1.
+/// Returns for each value of C_q the factor that scales it to order 1.
 pub(super) fn scales(model: &Model<'_>, Measures { sizes, norms, .. }: &Measures) -> Vec<f64> {
     let scale = |entry: &Option<(usize, usize)>| {
         entry.map_or(0.0, |(row, column)| sizes[column] / norms[row])

@@ -1,5 +1,5 @@
-//! Where smaller steps of time help no more: along the curve past a singular position, or the end
-//! of a run.
+//! Handles times at which smaller steps do not help: follows the curve past a singular position, or
+//! ends the run.
 
 use super::super::advance::{Asked, SHORTEST};
 use super::super::{Failure, Newton, Outcome, Steps, largest};
@@ -12,8 +12,8 @@ use crate::solve::follow::{
 };
 
 impl Stepper<'_> {
-    /// Short steps of time from t to `target` help no more: the curve is followed as far as `goal`,
-    /// if that can be done; `to` was asked for.
+    /// Follows the curve as far as `goal` if possible, because short steps of time from t to
+    /// `target` do not help. `to` is the requested time.
     pub(super) fn pass(
         &mut self,
         trouble: Trouble,
@@ -47,8 +47,7 @@ impl Stepper<'_> {
             && self.check.is_some()
             && self.moved(target - t, target) > SHORT;
         Err(match trouble {
-            // The shortest step of all still turns bodies too far for Newton's method to find its
-            // way.
+            // Even the shortest step rotates bodies too far for Newton's method.
             Trouble::Failed(_) if is_far => Error::CannotFollow {
                 t,
                 units: self.newton.system.unit_words().clone(),
@@ -77,7 +76,7 @@ impl Stepper<'_> {
         })
     }
 
-    /// Takes what the curve has led to as the position at time `to`.
+    /// Takes the end of the curve as the position at time `to`.
     fn land(&mut self, landed: Landed, t: f64, to: f64) -> Result<Outcome> {
         self.predictor.forget();
         self.untouched = false;
@@ -109,15 +108,15 @@ impl Stepper<'_> {
     }
 }
 
-/// q⃛ at a singular position on one of its branches: from the means of what it is a little before
-/// and after, twice (Richardson).
+/// Returns q⃛ at a singular position on one of its branches, from the means of its values a little
+/// before and after, with Richardson extrapolation.
 fn jerk_between(
     newton: &mut Newton<'_>,
     q: &[f64],
     Branch { qd, qdd }: &Branch,
     t: f64,
 ) -> std::result::Result<Vec<f64>, Failure> {
-    /// The coordinate that moves most moves by this to the nearer poses.   \[-\]
+    /// The displacement of the fastest coordinate to the nearer poses. \[-\]
     const NEAR: f64 = 0.05;
     let rates = qd
         .iter()
@@ -143,7 +142,7 @@ fn jerk_between(
     Ok(jerk)
 }
 
-/// The error of a run that turning points end.
+/// Builds the error of a run that turning points end.
 fn toggle(found: &SingularPosition, asked: f64, units: &Units) -> Error {
     debug_assert_eq!(found.kind, SingularKind::TurningPoint);
     let SingularPosition { t, movable, dependent, .. } = found.clone();

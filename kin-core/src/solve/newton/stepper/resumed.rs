@@ -1,4 +1,4 @@
-//! Plain steps that go on where a program has come to.
+//! Continues with the step-by-step solver after a compiled program.
 
 use super::{Stepper, Steps, first_position};
 use crate::model::error::Result;
@@ -7,8 +7,8 @@ use crate::solve::motion::Motion;
 use crate::system::evaluate::Instant;
 
 impl Stepper<'_> {
-    /// True if the ends of a step between two times, with that smallest pivot, tell all that time
-    /// does in between.
+    /// Returns true if the ends of a step between two times with this smallest pivot show
+    /// everything that time does in between.
     pub(in crate::solve::newton) fn ends_suffice(
         &mut self,
         from: f64,
@@ -18,8 +18,8 @@ impl Stepper<'_> {
         self.check.as_mut().is_none_or(|check| check.ends_suffice(from, to, pivot))
     }
 
-    /// The same where what has no bounds is sampled, at the position of the later time, which the
-    /// instant is set to.
+    /// Tests the ends of a step and samples equations without bounds, at the position of the later
+    /// time. The instant is at that position.
     pub(in crate::solve::newton) fn samples_suffice(
         &mut self,
         (from, to, q): (f64, f64, &[f64]),
@@ -35,8 +35,8 @@ impl Stepper<'_> {
         check.samples_suffice(Span { equations, from, to, pivot }, instant)
     }
 
-    /// The last three times of a motion are those before the next step; at the last one the
-    /// smallest pivot is this.
+    /// Takes the last three times of a motion as those before the next step; `pivot` is the
+    /// smallest pivot at the last one.
     pub(in crate::solve::newton) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         let Some(last) = motion.len().checked_sub(1) else { return };
         let times = motion.times();
@@ -56,7 +56,7 @@ impl Stepper<'_> {
         self.check.iter_mut().for_each(|check| check.go_on(pivot));
     }
 
-    /// The next step begins at time k of a motion, whatever was done before. Errors: C_q is
+    /// Begins the next step at time k of a motion, whatever was done before. Errors: C_q is
     /// singular there.
     pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
         self.predictor.forget();
