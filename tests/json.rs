@@ -214,13 +214,9 @@ fn mistakes_in_data_are_told_by_name() {
             r#"{"Down":2.0}"#,
             "constraint `slot`: its parameter `bend`: unknown variant `Down`",
         ),
-        (
-            r#""format":1"#,
-            r#""format":2"#,
-            "it is of format 2, which a newer Kin has written; Kin ",
-        ),
-        (r#""format":1"#, r#""format":2,"colour":3"#, " reads format 1: update it"),
-        (r#""format":1"#, r#""format":0"#, "format 0 is none: format 1 can be read"),
+        (r#""format":1"#, r#""format":2"#, "a newer Kin has written its format 2, but Kin "),
+        (r#""format":1"#, r#""format":2,"colour":3"#, " reads format 1. Update Kin"),
+        (r#""format":1"#, r#""format":0"#, "format 0 does not exist. Kin reads format 1"),
         (
             r#""guess":[0.2,0.1,0.0]"#,
             r#""guess":[0.2,0.1]"#,
@@ -271,17 +267,17 @@ fn numbers_that_a_law_does_not_have_are_told_by_name() {
 #[test]
 fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     for (from, twice, told) in [
-        (r#""u_i":[0.0,0.0]"#, r#""u_i":[5.0,5.0]"#, "the key `u_i` stands twice"),
-        (r#""Up":2.0"#, r#""Up":3.0"#, "the key `Up` stands twice in `bend`"),
+        (r#""u_i":[0.0,0.0]"#, r#""u_i":[5.0,5.0]"#, "the key `u_i` appears twice"),
+        (r#""Up":2.0"#, r#""Up":3.0"#, "the key `Up` appears twice in `bend`"),
         (
             r#""rate":2.0"#,
             r#""rate":3.0"#,
-            "the key `rate` stands twice in `law.parts.inner.numbers`",
+            "the key `rate` appears twice in `law.parts.inner.numbers`",
         ),
         (
             r#""kind":"cubic""#,
             r#""kind":"ramp""#,
-            "the key `kind` stands twice in `rise.parts.law.parts.",
+            "the key `kind` appears twice in `rise.parts.law.parts.",
         ),
         (r#""name":"slider""#, r#""name":"other""#, "duplicate field `name`"),
         (r#""format":1"#, r#""format":1"#, "duplicate field `format`"),
@@ -294,7 +290,7 @@ fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     }
     let law: Result<LawData, _> =
         serde_json::from_str(r#"{"kind": "ramp", "numbers": {"rate": 2, "rate": 3}}"#);
-    assert!(law.is_err_and(|error| error.to_string().contains("the key `rate` stands twice")));
+    assert!(law.is_err_and(|error| error.to_string().contains("the key `rate` appears twice")));
     let motion = model().and_then(|m| m.build()?.run_both([0.0])).expect("a motion");
     let text = serde_json::to_string(&motion.data()).expect("data");
     let twice = text.replacen(r#""times":"#, r#""times":[1.0],"times":"#, 1);
@@ -307,7 +303,7 @@ fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     assert!(
         load.is_err_and(|error| error
             .to_string()
-            .contains("the key `c` stands twice in `numbers`"))
+            .contains("the key `c` appears twice in `numbers`"))
     );
     let friction: Result<kin::data::FrictionData, _> = serde_json::from_str(
         r#"{"joint": "O", "coefficient": 0.1, "rate": 1, "pin": {"radius": 1}, "pin": {"radius": 2}}"#,
@@ -344,7 +340,7 @@ fn a_motion_of_a_newer_format_is_told() -> kin::Result<()> {
     let newer = text.replacen(r#""format":1"#, r#""format":7"#, 1);
     for text in [newer.replacen(r#""times":"#, r#""instants":"#, 1), newer] {
         let error = read(&text).unwrap_err().to_string();
-        assert!(error.contains("it is of format 7, which a newer Kin has written"), "{error}");
+        assert!(error.contains("a newer Kin has written its format 7"), "{error}");
     }
     Ok(())
 }

@@ -44,7 +44,7 @@ fn a_run_that_needs_too_much_memory_is_refused_before_it_begins() {
     let text = error.to_string();
     assert!(
         text.contains(
-            "10000000 times of 9 coordinates need 2.40 GB; `SolverOptions::memory` allows 1.07 GB."
+            "10000000 times of 9 coordinates need 2.40 GB, but `SolverOptions::memory` allows 1.07 GB."
         ),
         "{text}"
     );
@@ -197,11 +197,11 @@ fn a_run_is_watched_and_stopped() {
     let text = stopped.to_string();
     assert!(
         text.starts_with(
-            "the run was stopped after 100 of 301 times\n  The motion up to t = 0.99 s"
+            "your program stopped the run after 100 of 301 times\n  The motion up to t = 0.99 s"
         ),
         "{text}"
     );
     assert_eq!(stopped.motion().map(kin::Motion::len), Some(100));
     let never = system.solver().stop_when(&AtomicBool::new(true)).run(&times).unwrap_err();
-    assert_eq!(never.to_string(), "the run was stopped after 0 of 301 times");
+    assert_eq!(never.to_string(), "your program stopped the run after 0 of 301 times");
 }

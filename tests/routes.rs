@@ -57,10 +57,7 @@ fn unread(constraint: &dyn Constraint) -> (&'static str, u32, u32) {
 #[test]
 fn a_dual_constraint_says_which_token_cannot_be_read() {
     let (line, column) = place("fn series", "while");
-    assert_eq!(
-        unread(&series(any_coord(), 1.0)),
-        ("a loop whose end is not known here", line, column)
-    );
+    assert_eq!(unread(&series(any_coord(), 1.0)), ("a loop with an unknown end", line, column));
     let text = series(any_coord(), 1.0).explain_route().to_string();
     assert!(
         text.ends_with(&format!("routes.rs:{line}:{column} cannot be read by the compiler")),
@@ -142,7 +139,10 @@ fn constants_outside_are_named() {
         [("shapes::HEIGHTS", at("shapes::HEIGHTS")), ("shapes::wide", at("shapes::wide"))]
     );
     let text = constraint.explain_route().to_string();
-    assert!(text.starts_with("symbolic, but for what only the program knows: `shapes::"), "{text}");
+    assert!(
+        text.starts_with("symbolic, except for functions that only rustc can read: `shapes::"),
+        "{text}"
+    );
     assert_eq!(constraint.route(), Route::Symbolic);
     check::derivatives(constraint);
 }
@@ -165,7 +165,7 @@ fn what_only_the_program_knows_is_named() {
     assert_eq!(constraint.route(), Route::Symbolic);
     let text = constraint.explain_route().to_string();
     assert!(
-        text.starts_with("symbolic, but for what only the program knows: `horner` at "),
+        text.starts_with("symbolic, except for functions that only rustc can read: `horner` at "),
         "{text}"
     );
     check::derivatives(constraint);

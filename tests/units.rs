@@ -109,10 +109,10 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     let system = m.build()?;
     let motion = system.run_both(linspace(0.0, 1.0, 11))?;
     let proof = system.prove(&motion)?.to_string();
-    assert!(proof.contains("from t = 0 ms to 1 ms") && proof.contains(" mm and "), "{proof}");
+    assert!(proof.contains("From t = 0 ms to 1 ms") && proof.contains(" mm and "), "{proof}");
     no_metre(&proof);
     let event = motion.events().first().expect("the slider passes 42 mm").to_string();
-    assert_eq!(event, "t = 0.4 ms: `slider.R_x` passes its upper end, 42 mm");
+    assert_eq!(event, "t = 0.4 ms: `slider.R_x` passes its upper limit, 42 mm");
     assert!(system.diagnose(0.0)?.to_string().contains("at t = 0 ms: "));
     let outside = system.at(&motion, 2.0).unwrap_err().to_string();
     assert_eq!(outside, "times: t = 2 ms is outside of the motion, which goes from 0 ms to 1 ms");
@@ -124,8 +124,8 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     let text = error.to_string();
     assert!(
         matches!(error, Error::Toggle { .. })
-            && text.starts_with("t = 0.704")
-            && text.contains(" ms: a toggle"),
+            && text.contains("t = 0.704")
+            && text.contains("toggle at t = "),
         "{text}"
     );
     assert!(text.contains(" ms is in this error"), "{text}");

@@ -153,7 +153,7 @@ def show(**figures):
 def against_rust(program, folder):
     arm = w1()
     for plain in (True, False):
-        system, engine = arm.build(), "plain" if plain else "auto"
+        system, engine = arm.build(), "step-by-step" if plain else "auto"
 
         def run():
             motion = system.run(TIMES, engine=engine)
@@ -179,7 +179,7 @@ def against_sympy():
     q, qd, qdd = by_hand(TIMES)
     motion = system.run(TIMES)
     error = max(float(np.max(np.abs(mine - theirs))) for mine, theirs in zip((motion.q, motion.qd, motion.qdd), (q, qd, qdd)))
-    for engine in ("plain", "auto"):
+    for engine in ("step-by-step", "auto"):
         ratios = []
         for _ in range(5):
             theirs, own = python(lambda: by_hand(TIMES))(1)[0], python(lambda: system.run(TIMES, engine=engine).qdd)(200)[0] / 200

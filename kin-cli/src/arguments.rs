@@ -1,4 +1,4 @@
-//! The command line: what can be asked, as `clap` reads it.
+//! The command line: subcommands, arguments and their help texts, as `clap` reads them.
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -7,61 +7,60 @@ use crate::points::{NamedPoint, Setting, Shard};
 use crate::say::Format;
 use crate::times::Times;
 
-/// Mechanism files run, checked, diagnosed, proved, swept and drawn.
+/// Runs, checks, diagnoses, proves, sweeps and draws mechanism files.
 ///
-/// Data go to the standard output or to files, words to the standard error. `-` is the standard
-/// input or output.
+/// Data go to standard output or to files, messages to standard error. `-` means standard input or
+/// output.
 #[derive(Debug, Parser)]
 #[command(name = "kin", version, after_help = EXIT_CODES)]
 pub struct Arguments {
-    /// How notes and errors are written on the standard error
+    /// The format of notes and errors on standard error
     #[arg(long, value_enum, default_value = "text", global = true)]
     pub error_format: Format,
     #[command(subcommand)]
     pub command: Command,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done, 1 the mechanism's fault, 2 usage, 3 the run ended early (what came \
-                          before is written), 4 not proved, 5 a file.";
+const EXIT_CODES: &str = "Exit codes: 0 success; 1 fault in the mechanism; 2 wrong usage; 3 the run ended early, with results up to there; 4 not proved; 5 file error.";
 
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Position, velocity and acceleration over time
     Run(Run),
-    /// The same, once more each time the file changes
+    /// Runs again each time the file changes
     Watch(Run),
     /// Reads a file, builds the mechanism and assembles it
     Check(Check),
-    /// Rank, redundancies, contradictions and freedoms by name
+    /// Reports rank, redundancies, contradictions and freedoms by name
     Diagnose(Diagnose),
     /// All assemblies at one time, as CSV
     Assemblies(Assemblies),
     /// A measure of a joint or a coordinate over time, as CSV, and its extremes
     Measure(Measure),
-    /// A proof, by interval bounds, that nothing else moves like this
+    /// Proves by interval bounds that the computed motion is the only one
     Prove(Prove),
-    /// How the motion changes with parameters, as CSV: exact derivatives
+    /// Exact derivatives of the motion by parameters, as CSV
     Sensitivities(Sensitivities),
-    /// How far a measure may be off where dimensions of the file have tolerances
+    /// The deviation of a measure that the tolerances in the file allow
     Tolerance(Tolerance),
-    /// Efforts of drives and forces of joints, as CSV: the file has masses
+    /// Efforts of drives and forces of joints, as CSV, for a file with masses
     Forces(Forces),
-    /// Many cases, a row each: what they are, and the extremes of what is kept of them
+    /// Runs many cases and writes a row with extremes for each
     Sweep(Sweep),
-    /// A file of another program made into a mechanism file; what is left out is told by name
+    /// Converts a file of another program into a mechanism file, and names what it leaves out
     Import(Import),
     /// The JSON Schema of mechanism files
     Schema,
-    /// Completions for a shell, to be put where it looks for them
+    /// Writes completions for a shell
     Completions { shell: Shell },
-    /// The manual page, of the whole or of one command
+    /// Writes the manual page of `kin` or of one command
     Manual { command: Option<String> },
 }
 
-/// A mechanism and what is changed in it.
+/// A mechanism and changes of its values.
 #[derive(Clone, Debug, Args)]
 pub struct Model {
-    /// The mechanism file; `-` is the standard input
+    /// The mechanism file; `-` means standard input
     pub file: String,
     /// Sets a dimension, a parameter, or the guess of a coordinate
     #[arg(long = "set", value_name = "NAME=VALUE")]
@@ -101,7 +100,9 @@ pub struct AllowedMisfit {
 /// The number of a change point.
 fn change_point(text: &str) -> Result<usize, String> {
     let number = text.trim().parse();
-    number.map_err(|_| format!("`{text}` is no number of a change point: they are counted 0, 1, 2"))
+    number.map_err(|_| {
+        format!("`{text}` is no number of a change point. Count change points 0, 1, 2")
+    })
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -117,10 +118,10 @@ pub struct Run {
     pub model: Model,
     #[command(flatten)]
     pub motion: Motion,
-    /// Adds a point of a body, and its path to pictures
+    /// Adds a point of a body to the results, and its path to pictures
     #[arg(long = "point", value_name = "NAME=BODY:X,Y[,Z]")]
     pub points: Vec<NamedPoint>,
-    /// Adds a measure of a joint, with its rates
+    /// Adds a measure of a joint, with its velocity and acceleration
     #[arg(long = "measure", value_name = "NAME")]
     pub measures: Vec<String>,
     /// Solves for the jerk too
@@ -142,7 +143,7 @@ pub struct Run {
 
 #[derive(Clone, Debug, Args)]
 pub struct Import {
-    /// An `.asmt` file of OndselSolver (FreeCAD); `-` is the standard input
+    /// An `.asmt` file of OndselSolver (FreeCAD); `-` means standard input
     pub file: String,
     /// The mechanism file
     #[arg(short, long, value_name = "FILE", default_value = "-")]
@@ -156,8 +157,8 @@ pub struct Check {
     /// The time at which it is assembled   [s]
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     pub at: f64,
-    /// Names and values of all dimensions, parameters and coordinates, names of measures, as CSV on
-    /// the standard output
+    /// Lists names and values of all dimensions, parameters and coordinates, and names of measures,
+    /// as CSV on standard output
     #[arg(long)]
     pub names: bool,
     #[command(flatten)]
@@ -183,10 +184,10 @@ pub struct Assemblies {
     /// The time   [s]
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     pub at: f64,
-    /// Where the table goes
+    /// The file for the table; `-` means standard output
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
-    /// The same as JSON, with whether the list is complete and why
+    /// The same as JSON, with the reason why the list is complete or not
     #[arg(long, value_name = "FILE")]
     pub json: Option<String>,
 }
@@ -200,11 +201,10 @@ pub struct Measure {
     pub names: Vec<String>,
     #[command(flatten)]
     pub motion: Motion,
-    /// Adds the mechanical advantage of each measure over this drive: its force for one of the
-    /// drive's
+    /// Adds the mechanical advantage of each measure over this drive
     #[arg(long = "over", value_name = "DRIVE")]
     pub over: Vec<String>,
-    /// Where the table goes
+    /// The file for the table; `-` means standard output
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
 }
@@ -215,7 +215,7 @@ pub struct Prove {
     pub model: Model,
     #[command(flatten)]
     pub motion: Motion,
-    /// The steps as CSV: from, to, proved, how near the solution is, the doubt
+    /// The steps as CSV: from, to, proved, radius of the tube, reason without proof
     #[arg(long, value_name = "FILE")]
     pub csv: Option<String>,
 }
@@ -226,13 +226,13 @@ pub struct Sensitivities {
     pub model: Model,
     #[command(flatten)]
     pub motion: Motion,
-    /// The ones that change: measures or coordinates; without any all coordinates
+    /// The measures or coordinates to differentiate; without any, all coordinates
     #[arg(long = "of", value_name = "NAME")]
     pub measures: Vec<String>,
-    /// The parameters by which; `check --names` lists them
+    /// The parameters of the derivatives; `check --names` lists them
     #[arg(long = "by", value_name = "NAME", required = true)]
     pub parameters: Vec<String>,
-    /// Where the table goes
+    /// The file for the table; `-` means standard output
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
 }
@@ -246,27 +246,26 @@ pub struct Tolerance {
     pub name: String,
     #[command(flatten)]
     pub motion: Motion,
-    /// Of this extreme of the measure, or of its stroke, instead of the time at which it is worst
+    /// Uses this extreme or the stroke of the measure, instead of its worst time
     #[arg(long, value_enum)]
     pub of: Option<Asked>,
-    /// Proves bounds by interval arithmetic too, which hold for every mechanism within the
-    /// tolerances
+    /// Also proves bounds for every mechanism within the tolerances, by interval arithmetic
     #[arg(long, requires = "of")]
     pub proved: bool,
-    /// Makes so many mechanisms at random too, and tells mean, σ, quantiles and how many cannot be
+    /// Also samples this many random mechanisms: mean, σ, quantiles, and the number that cannot be
     /// assembled
     #[arg(long, value_name = "COUNT")]
     pub samples: Option<usize>,
     /// The same seed gives the same samples
     #[arg(long, default_value_t = 1, requires = "samples")]
     pub seed: u64,
-    /// The distribution of dimensions for which the file names none
+    /// The distribution of dimensions without one in the file
     #[arg(long, value_enum, default_value = "normal", requires = "samples")]
     pub distribution: Distribution,
     /// The values of the samples as CSV, the smallest first
     #[arg(long, value_name = "FILE", requires = "samples")]
     pub samples_csv: Option<String>,
-    /// Where the table goes: dimension, tolerance, derivative, how far that is off, both shares
+    /// The file for the table: dimension, tolerance, derivative, deviation, both shares
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
 }
@@ -284,9 +283,9 @@ pub enum Asked {
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub enum Distribution {
-    /// Normal, three σ being the tolerance
+    /// Normal, with three σ equal to the tolerance
     Normal,
-    /// The same without those that are off by more
+    /// Normal, without values beyond the tolerance
     TruncatedNormal,
     /// Uniform within the tolerance
     Uniform,
@@ -298,11 +297,11 @@ pub struct Forces {
     pub model: Model,
     #[command(flatten)]
     pub motion: Motion,
-    /// Where redundant constraints share a force, the shares whose squares have the least sum;
-    /// without it no number is given for them
+    /// Shares forces of redundant constraints with the least sum of squares; without this option
+    /// they have no number
     #[arg(long)]
     pub least_norm: bool,
-    /// Where the table goes
+    /// The file for the table; `-` means standard output
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub csv: String,
     /// The same as JSON, with units
@@ -311,7 +310,7 @@ pub struct Forces {
     /// Charts of efforts and of the forces in joints, as SVG
     #[arg(long, value_name = "FILE")]
     pub chart: Option<String>,
-    /// The mechanism with its forces as arrows, where the first drive gives most, as SVG
+    /// The mechanism with its forces as arrows at the largest effort of the first drive, as SVG
     #[arg(long, value_name = "FILE")]
     pub svg: Option<String>,
     /// A page on which it moves with its forces, beside their charts, as HTML
@@ -323,18 +322,18 @@ pub struct Forces {
 pub struct Sweep {
     #[command(flatten)]
     pub model: Model,
-    /// The cases as CSV: the header names parameters, each row is a case; `-` is the standard input
+    /// The cases as CSV: the header names parameters, each row is a case; `-` means standard
+    /// input
     pub cases: String,
     #[command(flatten)]
     pub motion: Motion,
-    /// A measure, coordinate or column of forces, whose least and greatest value are kept, with
-    /// their times
+    /// A measure, coordinate or column of forces; keeps its minimum and maximum with their times
     #[arg(long = "keep", value_name = "NAME")]
     pub keep: Vec<String>,
-    /// Only the I-th of N parts of the cases; all parts make the rows of the whole, bit for bit
+    /// Only the I-th of N parts of the cases; all parts together give the same rows, bit for bit
     #[arg(long, value_name = "I/N")]
     pub shard: Option<Shard>,
-    /// Where the rows go
+    /// The file for the rows; `-` means standard output
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub out: String,
 }

@@ -84,7 +84,7 @@ impl Fault {
         match error {
             // The sentence lists eight of them.
             Error::UnknownName { ref known, .. } if known.len() > 8 => {
-                Fault::Usage(format!("{error}; `kin check FILE --names` lists all"))
+                Fault::Usage(format!("{error}. `kin check FILE --names` lists all"))
             }
             Error::UnknownName { .. }
             | Error::ParameterNotFinite { .. }

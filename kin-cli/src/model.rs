@@ -32,7 +32,7 @@ pub fn text(file: &str) -> Result<String, Fault> {
 
 /// The file in words.
 pub fn named(file: &str) -> &str {
-    if file == "-" { "the standard input" } else { file }
+    if file == "-" { "standard input" } else { file }
 }
 
 /// The mechanism in a file, equations as text in it too.
@@ -55,9 +55,7 @@ pub fn system(model: &Model) -> Result<System, Fault> {
     let again = |k: &usize| all[..*k].iter().any(|before| before.name == all[*k].name);
     if let Some(k) = (0..all.len()).find(again) {
         let name = &all[k].name;
-        return Err(Fault::Usage(format!(
-            "`--set` names `{name}` twice: leave one of the two out"
-        )));
+        return Err(Fault::Usage(format!("`--set` names `{name}` twice. Remove one of the two")));
     }
     let mut system = mechanism(&model.file)?.build()?;
     model.settings.iter().try_for_each(|setting| set(&mut system, setting)).map_err(not_set)?;

@@ -19,7 +19,7 @@ pub fn put(to: &str, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Re
 pub fn failed(to: &str, error: &io::Error) -> Fault {
     match error.kind() {
         ErrorKind::BrokenPipe if to == "-" => Fault::Pipe,
-        _ if to == "-" => Fault::File(format!("cannot write to the standard output: {error}")),
+        _ if to == "-" => Fault::File(format!("cannot write to standard output: {error}")),
         _ => Fault::File(format!("cannot write {to}: {error}")),
     }
 }

@@ -16,7 +16,7 @@ impl FromStr for NamedPoint {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let form = "write NAME=BODY:X,Y, such as P=coupler:0.2,1.4; a point in space has a Z too";
+        let form = "write NAME=BODY:X,Y, such as P=coupler:0.2,1.4; a point in space needs Z too";
         let (name, rest) = text.split_once('=').ok_or(form)?;
         let (body, local) = rest.rsplit_once(':').ok_or(form)?;
         let local = local.split(',').map(number).collect::<Result<Vec<f64>, String>>()?;

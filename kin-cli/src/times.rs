@@ -25,13 +25,13 @@ impl FromStr for Times {
                     .parse::<usize>()
                     .map_err(|_| format!("`{count}` is no number of times"))?;
                 if n == 0 || n > MOST {
-                    return Err(format!("{n} times: give 1 to {MOST}"));
+                    return Err(format!("{n} times are too few or too many. Give 1 to {MOST}"));
                 }
                 let from = number(from)?;
                 let to = number(to)?;
                 if !(to - from).is_finite() {
                     return Err(format!(
-                        "from {from:e} to {to:e} is further than the largest number, {:e}; give times that are closer together",
+                        "from {from:e} to {to:e} is further than the largest number, {:e}. Give times that are closer together",
                         f64::MAX
                     ));
                 }
@@ -82,7 +82,7 @@ mod tests {
             ("0:1:-3", "`-3` is no number of times"),
             ("0:x:3", "`x` is no number"),
             ("0:inf:3", "`inf` is no number"),
-            ("0:1:1000000000000", "1000000000000 times: give 1 to"),
+            ("0:1:1000000000000", "1000000000000 times are too few or too many. Give 1 to"),
             ("1e308:-1e308:3", "from 1e308 to -1e308 is further than the largest number"),
         ] {
             let found = text.parse::<Times>().expect_err(text);

@@ -340,6 +340,6 @@ pub(crate) fn time(t: f64) -> Result<f64> {
     if t.is_finite() {
         Ok(t)
     } else {
-        Err(Error::InvalidTimes { reason: format!("t is {t}; give a finite time") })
+        Err(Error::InvalidTimes { reason: format!("t is {t}. Give a finite time") })
     }
 }

@@ -34,7 +34,7 @@ pub struct LeftOut {
 impl fmt::Display for LeftOut {
     /// "line 210: CurveCurveContact `Joint3` is left out: …"
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "line {}: {} is left out: {}", self.line, self.name, self.reason)
+        write!(f, "line {}: Kin leaves out {}: {}", self.line, self.name, self.reason)
     }
 }
 

@@ -60,7 +60,7 @@ impl<'a> Tree<'a> {
         let value = held.inside.first();
         value
             .map(|value| (value.text, value.line))
-            .ok_or_else(|| Mistake::at(held.line, format!("`{text}` says nothing")))
+            .ok_or_else(|| Mistake::at(held.line, format!("`{text}` has no value")))
     }
 
     /// The numbers in the line of that text.
@@ -101,7 +101,7 @@ fn numbers<const N: usize>(text: &str, line: usize) -> Result<[f64; N], Mistake>
     let all = text.split_whitespace().map(number).collect::<Result<Vec<f64>, Mistake>>()?;
     let count = all.len();
     all.try_into()
-        .map_err(|_| Mistake::at(line, format!("{N} numbers are needed here, there are {count}")))
+        .map_err(|_| Mistake::at(line, format!("this line needs {N} numbers, but has {count}")))
 }
 
 #[cfg(test)]
@@ -116,9 +116,9 @@ mod tests {
         assert_eq!(a.numbers::<2>("b").unwrap(), [1.0, 2.0]);
         assert_eq!(
             a.numbers::<3>("b").unwrap_err().to_string(),
-            "line 3: 3 numbers are needed here, there are 2"
+            "line 3: this line needs 3 numbers, but has 2"
         );
-        assert_eq!(a.value("c").unwrap_err().to_string(), "line 4: `c` says nothing");
+        assert_eq!(a.value("c").unwrap_err().to_string(), "line 4: `c` has no value");
         assert!(Tree::read("a\n\t\tb\n").is_err());
         assert!(Tree::read("").unwrap().inside.is_empty());
     }

@@ -13,7 +13,7 @@ pub fn mistake(tokens: &dyn ToTokens, message: impl std::fmt::Display) -> syn::E
 pub fn integer_for_a_number(tokens: &dyn ToTokens, k: i64) -> String {
     let text = tidy(&tokens.to_token_stream().to_string());
     if text.trim_start_matches('-').starts_with(|first: char| first.is_ascii_digit()) {
-        return format!("`{text}` is an integer; a number is written `{k}.0`");
+        return format!("`{text}` is an integer; write the number `{k}.0`");
     }
     let is_one = tokens.to_token_stream().into_iter().count() == 1;
     let of = if is_one { text.clone() } else { format!("({text})") };

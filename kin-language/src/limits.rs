@@ -27,15 +27,13 @@ pub fn arguments(all: &[Argument]) -> syn::Result<()> {
         }
         if coordinates > MOST_COORDINATES {
             let text = format!(
-                "a constraint takes {MOST_COORDINATES} coordinates at most, for code is written out for each: add one constraint for each part of \
-                 the equations"
+                "a constraint takes at most {MOST_COORDINATES} coordinates: split the equations into several constraints"
             );
             return Err(syn::Error::new_spanned(ty, text));
         }
         if numbers > MOST_NUMBERS {
             let text = format!(
-                "a constraint takes {MOST_NUMBERS} numbers as parameters at most, for code is written out for each: hand over a `Law`, or a type of \
-                 your own with a method"
+                "a constraint takes at most {MOST_NUMBERS} numbers as parameters: pass a `Law`, or a user-defined type with a method"
             );
             return Err(syn::Error::new_spanned(ty, text));
         }
@@ -49,7 +47,7 @@ pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
         return Ok(());
     }
     let text = format!(
-        "a constraint has {MOST_NUMBERS} rows at most, for code is written out for each: add one constraint for each part of them"
+        "a constraint has at most {MOST_NUMBERS} rows: split them into several constraints"
     );
     Err(syn::Error::new_spanned(ty, text))
 }
@@ -91,7 +89,8 @@ fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
     Ok(())
 }
 
-const TOO_LONG: &str = "this is nested too deeply, or goes on for too long in one expression: name parts of it with `let`";
+const TOO_LONG: &str =
+    "this expression is nested too deeply, or is too long: name parts of it with `let`";
 
 /// Splits the tokens at commas and semicolons, and after blocks that end a statement.
 fn expressions(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {

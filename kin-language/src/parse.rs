@@ -239,8 +239,7 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     })
 }
 
-const NO_COORDINATES: &str = "a constraint needs something to constrain: give it an argument of type `Planar`, `Spatial`, `Coord` or \
-     `[Coord; N]` (types are read by name: write the name itself, not an alias of it)";
+const NO_COORDINATES: &str = "a constraint needs an argument of type `Planar`, `Spatial`, `Coord` or `[Coord; N]` (write the name of the type itself, not an alias)";
 
 pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     let span = item.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
@@ -273,19 +272,19 @@ pub fn refuse_qualifiers(function: &ItemFn, mistakes: &mut Mistakes) {
         mistakes.add(word, "remove `unsafe`: the function only computes a value");
     }
     if let Some(word) = &sig.constness {
-        mistakes.add(word, "remove `const`: the function becomes a constructor of its own");
+        mistakes.add(word, "remove `const`: the function becomes a constructor");
     }
     if let Some(word) = &sig.abi {
-        mistakes.add(word, "remove `extern`: the function becomes a constructor of its own");
+        mistakes.add(word, "remove `extern`: the function becomes a constructor");
     }
     if !sig.generics.params.is_empty() {
         mistakes.add(
             &sig.generics,
-            "no generics here: the macro makes the function generic itself; write the types out",
+            "no generics here: write the types out, since the macro makes the function generic",
         );
     }
     if let Some(clause) = &sig.generics.where_clause {
-        mistakes.add(clause, "no `where` here: the macro makes the function generic itself");
+        mistakes.add(clause, "no `where` here: the macro makes the function generic");
     }
     if let Some(dots) = &sig.variadic {
         mistakes.add(dots, "no variadic arguments: use an array");
@@ -314,7 +313,7 @@ fn argument(input: &FnArg) -> syn::Result<Argument> {
     if pattern.ident.to_string().starts_with("__") {
         return Err(syn::Error::new_spanned(
             &pattern.ident,
-            "names that begin with `__` are kept for the emitted code",
+            "names that begin with `__` are reserved for generated code",
         ));
     }
     let kind = kind(&typed.ty)?;

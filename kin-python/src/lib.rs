@@ -16,6 +16,7 @@ mod mechanism;
 mod motion;
 mod numbers;
 mod options;
+mod page;
 mod sweep;
 mod system;
 mod watch;
@@ -43,6 +44,8 @@ mod _native {
     use crate::mechanism::Mechanism;
     #[pymodule_export]
     use crate::motion::Motion;
+    #[pymodule_export]
+    use crate::page::page;
     #[pymodule_export]
     use crate::sweep::sweep;
     #[pymodule_export]

@@ -35,7 +35,7 @@ pub fn assembly_options(given: &Bound<'_, PyDict>) -> PyResult<AssemblyOptions> 
             "time_limit" => options.time_limit = Some(seconds(given.extract()?)?),
             name => {
                 let known = "starts, patience, steps, seed, time_limit";
-                return Err(wrong_type(format!("there is no option `{name}`; there are {known}")));
+                return Err(wrong_type(format!("there is no option `{name}`. Use one of {known}")));
             }
         }
     }
@@ -70,7 +70,7 @@ fn put(options: &mut SolverOptions, name: &str, given: &Bound<'_, PyAny>) -> PyR
             }
         }
         "engine" => options.engine = engine_named(&given.extract::<String>()?)?,
-        _ => return Err(wrong_type(format!("there is no option `{name}`; there are {KNOWN}"))),
+        _ => return Err(wrong_type(format!("there is no option `{name}`. Use one of {KNOWN}"))),
     }
     Ok(())
 }

@@ -41,7 +41,7 @@ fn feature(name: &str) -> PyResult<Feature> {
         _ => {
             let known = "max, min, range, first, last, max_rate, max_second_rate";
             return Err(value(format!(
-                "`{name}` is nothing that is kept of a measure; there are {known}"
+                "`{name}` is nothing that a sweep keeps of a measure. Use one of {known}"
             )));
         }
     })
@@ -135,7 +135,7 @@ fn of_forces(
         let is_force = system.has_forces() && !of_motion;
         if is_force && kept.is_of_rates() {
             return Err(value(format!(
-                "`{name}` is no measure or coordinate; only these have rates"
+                "`{name}` is no measure or coordinate, and only these have rates"
             )));
         }
         Ok((name, kept, is_force))
@@ -146,7 +146,7 @@ fn of_forces(
 /// The cases, one after the other.
 fn rows(cases: Vec<f64>, width: usize) -> PyResult<Vec<Vec<f64>>> {
     match width {
-        0 => Err(value("a sweep needs the name of a parameter at least")),
+        0 => Err(value("a sweep needs the name of at least one parameter")),
         _ if !cases.len().is_multiple_of(width) => {
             Err(value(format!("a case has {width} numbers, one for each name")))
         }

@@ -12,19 +12,12 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 use serde_json::json;
 
-use crate::fault::{or_raise, unreadable, wrong_type};
-use crate::forces::Forces;
+use crate::fault::{or_raise, unreadable};
 use crate::measured::What;
-use crate::motion::{Motion, NOT_A_POINT, Orders, quantity, series, unknown};
+use crate::motion::{Motion, Orders, quantity, series};
 use crate::numbers;
 use crate::options::{assembly_options, options};
 use crate::watch::Watch;
-
-/// A point whose path a page shows: its name, "planar" or "spatial", the body, the local position.
-type Trace = (String, String, String, Vec<f64>);
-
-/// A chart of a page: its title, its unit, and lists of numbers by name.
-type Charted = (String, String, Vec<(String, Vec<f64>)>);
 
 /// A system.
 #[pyclass(frozen, module = "kin._native")]
@@ -439,50 +432,6 @@ impl System {
         let given = found.substituted().to_vec();
         let left = found.unknowns().to_vec();
         Ok((found.to_string(), given, left, found.blocks().to_vec(), found.steps()))
-    }
-
-    /// A page on which the mechanism moves, as HTML.
-    #[pyo3(signature = (motion, title, traces, forces, charts))]
-    fn page(
-        &self,
-        py: Python<'_>,
-        motion: &Motion,
-        title: Option<&str>,
-        traces: Vec<Trace>,
-        forces: Option<&Forces>,
-        charts: Vec<Charted>,
-    ) -> PyResult<String> {
-        let system = self.now();
-        let mut scene = Scene::new(&system);
-        for (name, kind, body, local) in &traces {
-            scene = match (kind.as_str(), &local[..]) {
-                ("planar", &[x, y]) => {
-                    let body = motion.0.planar_named(body).ok_or_else(|| unknown(body))?;
-                    scene.trace(name, body, numbers::vec2([x, y]))
-                }
-                ("spatial", &[x, y, z]) => {
-                    let body = motion.0.spatial_named(body).ok_or_else(|| unknown(body))?;
-                    scene.trace(name, body, numbers::vec3([x, y, z]))
-                }
-                _ => return Err(wrong_type(NOT_A_POINT)),
-            };
-        }
-        let forces = forces.map(Forces::forces);
-        if let Some(forces) = forces {
-            scene = scene.forces(forces);
-        }
-        let mut page = or_raise(py, scene.page(&motion.0))?;
-        if let Some(title) = title {
-            page = page.title(title);
-        }
-        for (title, unit, series) in charts {
-            let series = series.iter().map(|(name, values)| (name.as_str(), values.clone()));
-            page = page.values(&title, &unit, series);
-        }
-        if let Some(forces) = forces {
-            page = page.forces(forces);
-        }
-        Ok(page.html())
     }
 
     /// The mechanism at a time, or so many poses of the motion on one another, as SVG.

@@ -69,7 +69,7 @@ def test_an_extreme_that_is_not_of_the_motion_is_refused():
             lambda wrong=wrong: system.samples(motion, x, wrong, count=10),
         ]
         for ask in asked:
-            with pytest.raises(kin.InvalidConstraint, match=rf"it has no {word} at t = .*; the nearest one is at t = .*system.extremes"):
+            with pytest.raises(kin.InvalidConstraint, match=rf"it has no {word} at t = .*. The nearest one is at t = .*system.extremes"):
                 ask()
 
 

@@ -26,9 +26,9 @@ LINES = [
 ]  # fmt: skip
 # The same, where no expression can stand there: the words say why.
 NONE = {
-    "r = math.gamma(x)": "it has no derivative here", "r = math.erf(x)": "it has no derivative here", "r = float(x)": "use it as it is",
-    "r = '%f' % x": "use it as it is", "r = int(x)": "kin.trunc(x)", "r = sorted([x, z])[0]": "the order is not known here",
-    "r = complex(x)": "use it as it is", "r = {0.7: 1.0}[x]": "kin.where(x == key, a, b)",
+    "r = math.gamma(x)": "it has no derivative here", "r = math.erf(x)": "it has no derivative here", "r = float(x)": "use it directly",
+    "r = '%f' % x": "use it directly", "r = int(x)": "kin.trunc(x)", "r = sorted([x, z])[0]": "the order is unknown here",
+    "r = complex(x)": "use it directly", "r = {0.7: 1.0}[x]": "kin.where(x == key, a, b)",
 }  # fmt: skip
 
 
@@ -114,7 +114,7 @@ def test_errors_of_a_run_are_in_words_of_python():
     assert "the option `memory` allows" in str(found.value) and "::" not in str(found.value)
     with pytest.raises(kin.InvalidTimes, match=r"`np.linspace\(0.0, 1.0, 101\)`"):
         system.run([])
-    with pytest.raises(kin.DataError, match="its equation stands neither in the library nor under `equations`"):
+    with pytest.raises(kin.DataError, match="neither the library nor `equations` in the file has it"):
         kin.Mechanism.from_json(m.to_json().replace('"drive"', '"drove"'))
 
 

@@ -152,7 +152,7 @@ def test_a_name_for_an_expression_is_a_dimension():
     system = m.build()
     system.set("a", 0.4)
     assert system.dimensions == {"a": 0.4, "half": 0.2} and system.parameter("O.u_i.x") == 0.2
-    with pytest.raises(kin.DimensionError, match="`half`: it is an expression of others"):
+    with pytest.raises(kin.DimensionError, match="`half`: it is an expression of other dimensions"):
         system.set("half", 0.3)
 
 
@@ -192,16 +192,16 @@ def test_masses_loads_friction_and_preferences_hang_on_dimensions():
 
 
 MISTAKES = [
-    ("foreign", lambda m, a, o: m.link("l", o), "`l`: a dimension of another mechanism than"),
+    ("foreign", lambda m, a, o: m.link("l", o), "`l` has a dimension of another mechanism than"),
     ("foreign in a joint", lambda m, a, o: m.add("O", kin.fixed(m.planar("b"), (0, o), 0)), "`O`: a dimension of another"),
-    ("foreign in a mass", lambda m, a, o: m.mass(m.planar("b"), o, (0, 0), 1), "`mass`: a dimension of another mechanism"),
-    ("foreign in gravity", lambda m, a, o: m.gravity((0, o)), "`gravity`: a dimension of another mechanism"),
+    ("foreign in a mass", lambda m, a, o: m.mass(m.planar("b"), o, (0, 0), 1), "`mass` has a dimension of another mechanism"),
+    ("foreign in gravity", lambda m, a, o: m.gravity((0, o)), "`gravity` has a dimension of another mechanism"),
     ("foreign in a law", lambda m, a, o: m.add("O", kin.drive_angle(m.planar("b"), kin.Law.ramp(o))), "`O`: a dim"),
     ("several", lambda m, a, o: a + o, "`a` and `o` are dimensions of two mechanisms"),
-    ("NaN", lambda m, a, o: m.dimension("n", math.nan), "`n`: it is NaN; give a finite number"),
+    ("NaN", lambda m, a, o: m.dimension("n", math.nan), "`n`: it is NaN. Give a finite number"),
     ("operand", lambda m, a, o: a * math.inf, "`a` meets inf"),
-    ("backtick", lambda m, a, o: m.dimension("a`b", 1.0), "without backticks"),
-    ("unused", lambda m, a, o: m.build(), "nothing hangs on the dimension `a`"),
+    ("backtick", lambda m, a, o: m.dimension("a`b", 1.0), "name with backticks"),
+    ("unused", lambda m, a, o: m.build(), "no number of the mechanism depends on the dimension `a`"),
 ]  # fmt: skip
 
 
@@ -236,7 +236,7 @@ def test_a_dimension_is_no_plain_number_unless_it_is_said():
     m = kin.Mechanism("own")
     a = m.dimension("a", 0.2)
     for plain in (math.sin, float, lambda a: m.guess(m.angle("x", 0.0), a), lambda a: m.spatial("s", (a, 0, 0))):
-        with pytest.raises(TypeError, match="write `.value` if that is meant"):
+        with pytest.raises(TypeError, match="Write `.value` if you want its number"):
             plain(a)
     assert math.sin(a.value) == math.sin(0.2)
     with pytest.raises(kin.ConstraintError, match="give `f` an argument for it"):

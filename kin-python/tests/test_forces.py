@@ -67,7 +67,7 @@ def test_a_driven_pendulum_is_the_closed_form():
 
 def test_engines_agree_and_say_which_they_were():
     _, _, system, motion = arm()
-    plain, program = (system.forces(motion, engine=engine) for engine in ("plain", "compiled"))
+    plain, program = (system.forces(motion, engine=engine) for engine in ("step-by-step", "compiled"))
     # The first time is computed by both, and compared.
     assert plain.engine == (0, 0) and program.engine == (len(T) - 1, 0)
     assert plain.why_not_compiled is None and program.why_not_compiled is None

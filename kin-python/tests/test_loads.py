@@ -132,7 +132,7 @@ def test_a_load_is_asked_and_balances():
     np.testing.assert_allclose(forces.load("load").on(body).force, push[:, None] * along, atol=1e-11)
     np.testing.assert_allclose(forces.load("load").power.value, push * ARM * OMEGA, atol=1e-11)
     assert forces.balance.worst < 1e-12
-    with pytest.raises(kin.UnknownName, match="no load `closer`; there are `load`"):
+    with pytest.raises(kin.UnknownName, match="no load `closer`. Use `load`"):
         forces.load("closer").power
 
 

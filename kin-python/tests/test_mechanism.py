@@ -55,7 +55,7 @@ def test_a_drawn_pose_that_is_singular_is_not_left_in_silence():
     m.add("left", kin.point_on_line(rod, m.ground, (-1, 0), (0, 0), (0, 1)))
     m.add("right", kin.point_on_circle(rod, m.ground, (1, 0), (0.5, 0), 1.5))
     m.add("lift", kin.drive(rod.y, 0.0))
-    with pytest.raises(kin.SingularAt, match="meets every equation") as caught:
+    with pytest.raises(kin.SingularAt, match="satisfies every equation") as caught:
         m.build().run([0, 1])
     assert caught.value.drawn and caught.value.rank == 2
 

@@ -52,7 +52,7 @@ def test_a_table_by_numpy():
         def f(x: Coord, y: Coord):
             return y - np.interp(x, [0, 1, 2], [0, 1, 4])
 
-    assert told(make)[0].startswith("`np.interp` has corners: a table is a law; give the function an argument")
+    assert told(make)[0].startswith("`np.interp` has corners. Give the function an argument")
 
 
 def test_and():
@@ -81,7 +81,7 @@ def test_a_while():
                 x = x / 2
             return x - y
 
-    message = "a condition on a coordinate: a loop cannot end by `x > 1`; give it a count that is known"
+    message = "a condition on a coordinate: a loop cannot end by `x > 1`. Give the loop a fixed count"
     assert told(make) == (message, "while x > 1:")
 
 
@@ -139,7 +139,7 @@ def test_a_law_as_a_number():
         def f(x: Coord, profile: Law):
             return x - profile
 
-    assert told(make)[0] == "`profile` is a Law: ask it for a value with `profile.at(x)`"
+    assert told(make)[0] == "`profile` is a Law: get a value with `profile.at(x)`"
 
 
 def test_no_rows():
@@ -175,7 +175,7 @@ def test_another_type():
         def f(x: Coord, table: dict):
             return x
 
-    assert told(make)[0].startswith("`table`: a constraint has no arguments of the type dict; there are Planar, Spatial")
+    assert told(make)[0].startswith("`table`: a constraint has no arguments of the type dict. Use Planar, Spatial")
 
 
 def test_any_number_of_arguments():
@@ -202,7 +202,7 @@ def test_a_constant_that_is_not_finite():
         def f(x: Coord):
             return x - math.inf
 
-    assert told(make)[0] == "a number of the function is inf; constants have to be finite"
+    assert told(make)[0] == "a number of the function is inf. Constants must be finite"
 
 
 def test_a_function_of_numpy_without_a_derivative():
@@ -211,7 +211,7 @@ def test_a_function_of_numpy_without_a_derivative():
         def f(x: Coord, y: Coord):
             return np.nextafter(x, y)
 
-    assert told(make)[0] == "`np.nextafter` has no derivative here; there are the functions of `kin`"
+    assert told(make)[0] == "`np.nextafter` has no derivative here. Use the functions of `kin`"
 
 
 def test_numbers_of_another_function():
@@ -292,17 +292,17 @@ def slot(i: Planar, j: Planar, u_i: Vec2, k: float = 2.0):
         (lambda m, a, b: slot(a, b, (0, 0, 0)), TypeError, r"its parameter `u_i` is Vec2, not \(0, 0, 0\)"),
         (lambda m, a, b: slot(a, b, (0, 0), k="two"), TypeError, "its parameter `k` is a number, not 'two'"),
         (lambda m, a, b: slot(a, b, (0, 0), k=None), TypeError, "its parameter `k` is a number, not None"),
-        (lambda m, a, b: slot(a, b, (0, math.nan)), kin.ParameterNotFinite, r"`u_i.y` is NaN; give a finite number"),
-        (lambda m, a, b: slot(a, a, (0, 0)), kin.RepeatedBody, "`i` and `j` are both `a`"),
-        (lambda m, a, b: slot(m.ground, m.ground, (0, 0)), kin.NoCoordinates, "no coordinate left"),
-        (lambda m, a, b: slot(kin.Mechanism("n").planar("a"), b, (0, 0)), kin.ForeignBody, "`i` is not of the mechanism"),
+        (lambda m, a, b: slot(a, b, (0, math.nan)), kin.ParameterNotFinite, r"has NaN as its parameter `u_i.y`. Give a finite number"),
+        (lambda m, a, b: slot(a, a, (0, 0)), kin.RepeatedBody, "has `a` twice, as `i` and as `j`"),
+        (lambda m, a, b: slot(m.ground, m.ground, (0, 0)), kin.NoCoordinates, "holds no coordinate"),
+        (lambda m, a, b: slot(kin.Mechanism("n").planar("a"), b, (0, 0)), kin.ForeignBody, "cannot use `i`, which belongs to another mechanism"),
         (lambda m, a, b: slot, TypeError, "is no constraint"),
         (lambda m, a, b: kin.revolute(a, b, (0, 0), (math.inf, 0)), kin.ParameterNotFinite, "`u_j.x` is inf"),
         (lambda m, a, b: kin.revolute(a, b, (0, 0), 3), TypeError, "`revolute`: its parameter `u_j` is Vec2"),
         (lambda m, a, b: kin.distance(a, b, (0, 0), (0, 0), -1.0), kin.InvalidParameters, "a rod needs a length above zero"),
         (lambda m, a, b: kin.drive(a, 0.0), TypeError, "its argument `q` is a coordinate"),
         (lambda m, a, b: kin.drive(a.x, "fast"), TypeError, "its parameter `law` is a law, not 'fast'"),
-        (lambda m, a, b: kin.drive(a.x, Law.ramp(math.nan)), ValueError, "`rate` is nan; give a finite number"),
+        (lambda m, a, b: kin.drive(a.x, Law.ramp(math.nan)), ValueError, "`rate` is nan. Give a finite number"),
         (lambda m, a, b: kin.drive(a.x, Law.spline([0, 0], [1, 2])), ValueError, "spline"),
         (lambda m, a, b: kin.coupling(a.x, b.x, 0.0, 1.0, 0.0), kin.InvalidParameters, "a factor of zero couples nothing"),
     ],

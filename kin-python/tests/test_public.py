@@ -143,7 +143,7 @@ def test_every_option_of_a_run_is_a_keyword():
     m.add("motor", kin.drive_angle(wheel, kin.Law.ramp(1.0)))
     with pytest.raises(TypeError, match="there is no option `speed`") as refused:
         m.build().run([0.0], speed=1)
-    known = set(re.findall(r"\w+", str(refused.value).split("there are ")[1]))
+    known = set(re.findall(r"\w+", str(refused.value).split("Use one of ")[1]))
     # The stop rule has a keyword for each of its kinds; `assemblies` and `forces` have keywords of their calls.
     assert fields - known == {"stop", "search", "assemblies", "sharing"}
     assert known - fields == {"tolerance", "residual_only", "other_branch_at"}

@@ -73,7 +73,7 @@ def test_a_first_position_far_from_the_drawn_one():
 
 def test_a_table_that_ends_before_the_run():
     table = kin.Law.spline([0.0, 1.0, 2.0], [0.0, 0.4, 0.3])
-    with pytest.warns(kin.MotionWarning, match="`law` of `motor` ends at 2, the run goes on to 3") as caught:
+    with pytest.warns(kin.MotionWarning, match="`law` of `motor` ends at 2, but the run continues to 3") as caught:
         crank(table).build().run(np.linspace(0.0, 3.0, 31))
     assert [one.message.kind for one in caught] == ["beyond range"]
 

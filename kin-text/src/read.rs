@@ -86,7 +86,7 @@ pub fn read_with<T: Send>(
 ) -> Result<T, Mistakes> {
     if text.len() > LONGEST {
         return Err(Mistakes::whole(format!(
-            "the text has {} bytes; {LONGEST} are read at most",
+            "the text has {} bytes, but Kin reads at most {LONGEST}",
             text.len()
         )));
     }
@@ -150,7 +150,7 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
 }
 
 const NO_TOKENS: &str =
-    "this is no text of Rust: a bracket or a quote has no partner, or a character no meaning";
+    "this is no Rust text: a bracket or quote is not closed, or a character has no meaning";
 const NO_FUNCTION: &str = "write the equation as a function, `fn name(i: Planar, …) -> f64 { … }`";
 
 fn is_mark(attribute: &Attribute) -> bool {

@@ -108,8 +108,7 @@ impl Signature {
     }
 }
 
-const UNKNOWN: &str = "in a text a parameter is an `f64`, a vector or matrix, an array or tuple of these, an `Axis` or a `Law`, and a body or \
-                       coordinate is called `Planar`, `Spatial` or `Coord` itself: other types are known to programs only";
+const UNKNOWN: &str = "in a text a parameter is an `f64`, a vector or matrix, an array or tuple of these, an `Axis` or a `Law`; a body or coordinate is a `Planar`, `Spatial` or `Coord`";
 
 fn path(argument: &Argument) -> TokenStream {
     let name = &argument.name;

@@ -8,7 +8,7 @@ use quote::ToTokens;
 use syn::{Error, Item};
 
 const BESIDE: &str =
-    "what an equation calls stands in its text too, as a function or constant beside it";
+    "put the function or constant that the equation uses into the text, beside the equation";
 
 /// The lowered function, if nothing in it is known to a program alone.
 ///
@@ -33,9 +33,7 @@ fn unknown(template: &Template, items: &[Item]) -> Error {
     let message = match path(template) {
         Some((name, around)) => match items.iter().find_map(|item| type_of(item, &name)) {
             Some(ty) => {
-                format!(
-                    "`{name}` is a constant of type `{ty}`: numbers are computed of numbers only"
-                )
+                format!("`{name}` is a constant of type `{ty}`: write a number in its place")
             }
             None => format!("`{name}` is not known here: {}", meant(&name, around)),
         },

@@ -24,27 +24,27 @@ fn text(q: [f64; 2], jacobian: bool) -> String {
 #[test]
 fn value_that_is_no_number() {
     let expected =
-        "t = 0.25 s: C of `slot` row 1 is not finite: `(x - 0.2).sqrt()` is not a number (operand -0.1).
+        "C of `slot` row 1 is not finite at t = 0.25 s: `(x - 0.2).sqrt()` is not a number (operand -0.1).
   tests/blame/messages.rs:7:6, at slider = 0.1.
-  Begin at another pose, change the parameters, or write `if` around it.";
+  Begin at another pose, change the parameters, or write an `if` around the expression.";
     assert_eq!(text([0.1, 1.0], false), expected);
 }
 
 #[test]
 fn value_that_is_infinite() {
     let expected =
-        "t = 0.25 s: C of `slot` row 2 is not finite: `depth / y` is infinite (operands 0.5 and 0).
+        "C of `slot` row 2 is not finite at t = 0.25 s: `depth / y` is infinite (operands 0.5 and 0).
   tests/blame/messages.rs:7:32, at wedge = 0 and slot.depth = 0.5.
-  Begin at another pose, change the parameters, or write `if` around it.";
+  Begin at another pose, change the parameters, or write an `if` around the expression.";
     assert_eq!(text([1.0, 0.0], false), expected);
 }
 
 #[test]
 fn slope_that_is_infinite() {
     let expected =
-        "t = 0.25 s: C_q of `slot` row 1 is not finite: `(x - 0.2).sqrt()` has no finite slope (operand 0).
+        "C_q of `slot` row 1 is not finite at t = 0.25 s: `(x - 0.2).sqrt()` has no finite slope (operand 0).
   tests/blame/messages.rs:7:6, at slider = 0.2.
-  Stay clear of that pose, or write the equation without this edge: d·d - l*l instead of d.norm() - l.";
+  Avoid this pose, or write the equation smoothly: d·d - l*l instead of d.norm() - l.";
     assert_eq!(text([0.2, 1.0], true), expected);
 }
 

@@ -152,7 +152,7 @@ fn stands_in_the_way(system: &System) -> Option<String> {
     let unread =
         system.constraints().find(|(_, constraint)| constraint.facts().route() != Route::Symbolic);
     unread.map(|(name, _)| {
-        format!("`{name}` cannot be compiled: its equation is not known as a formula")
+        format!("`{name}` cannot be compiled: Kin does not know its equation as a formula")
     })
 }
 
@@ -243,8 +243,8 @@ fn allowed(motion: &Motion, k: usize, order: usize, loose: f64) -> f64 {
 fn is_told(plain: &Motion, program: &Motion) {
     let counts = program.engine();
     let [by_steps, by_program] = [plain, program].map(Motion::summary);
-    assert!(plain.engine().compiled == 0 && !by_steps.contains("by a program"), "{by_steps}");
-    let line = format!("{} of {} times by a program", counts.compiled, program.len());
+    assert!(plain.engine().compiled == 0 && !by_steps.contains("compiled"), "{by_steps}");
+    let line = format!("{} of {} times compiled", counts.compiled, program.len());
     assert_eq!(by_program.contains(&line), counts.compiled > 0, "{by_program}");
     let times = format!("{} times", counts.handed_back);
     assert!(

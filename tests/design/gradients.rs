@@ -106,7 +106,7 @@ fn a_gradient_by_a_parameter_that_opens_a_redundant_mechanism_is_refused() {
                 .err()
                 .expect("an error")
                 .to_string();
-            assert!(said.contains("closes at this value of it only"), "{said}");
+            assert!(said.contains("closes at this value only"), "{said}");
             let what = system.coordinate_names()[7].clone();
             let backward = system.gradient(&motion, ["a", open, "b"], &what, |_| [1.0; 3]);
             assert_eq!(said, backward.expect_err("an error").to_string());

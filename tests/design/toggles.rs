@@ -121,13 +121,13 @@ fn there_is_no_gradient_at_a_toggle() {
     let system = four_bar();
     let error = system.run_both(linspace(0.0, 4.0, 81)).expect_err("a toggle");
     let told = said(&system, error.motion().expect("a motion"), "a");
-    assert!(told.contains("`a`: the motion meets a singular position at t = 1.604"), "{told}");
+    assert!(told.contains("`a`: the motion passes a singular position at t = 1.604"), "{told}");
     // Nor at the pose itself, which a run may begin at.
     let found = toggle(&system);
     let mut there = system.clone();
     there.set_initial(&found.q).expect("a pose");
     match there.run_both([found.t]) {
-        Err(error) => assert!(error.to_string().contains("A toggle or change point"), "{error}"),
+        Err(error) => assert!(error.to_string().contains("toggle or change point"), "{error}"),
         Ok(motion) => assert!(said(&there, &motion, "a").contains("singular")),
     }
 }
@@ -159,7 +159,7 @@ fn there_is_no_gradient_through_a_change_of_branch() {
         let motion = system.run_both_with(linspace(0.0, 4.0, 41), &options).expect("a motion");
         let told = said(&system, &motion, "P.u_i.x");
         assert!(
-            told.contains("`P.u_i.x`: the motion meets a singular position at t = 2.14"),
+            told.contains("`P.u_i.x`: the motion passes a singular position at t = 2.14"),
             "{told}"
         );
         // Nor has the change point a time that would go on with the dimensions.
@@ -211,7 +211,7 @@ fn there_is_no_gradient_at_a_jump() {
     let motion = system.run_both([1.0]).expect("a pose");
     let told = said(&system, &motion, "jump.k");
     assert!(
-        told.contains("no derivative by `jump.k`: at t = 1 s `jump` jumps; ask other times"),
+        told.contains("no derivative by `jump.k`: at t = 1 s `jump` jumps. Choose other times"),
         "{told}"
     );
     let motion = system.run_both([1.25, 1.5]).expect("a motion");

@@ -60,9 +60,12 @@ fn right_six_bar_runs() {
 #[test]
 fn exchanged_bodies_of_a_plate_and_a_link() {
     let text = told(Fault::Exchanged);
-    assert!(text.contains("\n  exchanged: `D` takes (0.0100, 0.0400) in `rod`"), "{text}");
     assert!(
-        text.contains("give `D` its bodies in the order of its points, first `plate`, then `rod`"),
+        text.contains("\n  The points of `D` are exchanged: in `rod` it has (0.0100, 0.0400)"),
+        "{text}"
+    );
+    assert!(
+        text.contains("Give `D` its bodies in the order of its points: first `plate`, then `rod`"),
         "{text}"
     );
 }
@@ -73,11 +76,11 @@ fn exchanged_bodies_of_a_plate_and_a_link() {
 fn degrees_that_are_out_of_reach() {
     let text = told(Fault::Degrees);
     assert!(
-        text.contains("`motor` asks for crank.theta = 60.0000, more than a turn from its guess"),
+        text.contains("`motor` requires crank.theta = 60.0000 (more than a turn from its guess)"),
         "{text}"
     );
     assert!(
-        text.contains("Least change: give `motor` radians, which `deg(60.0)` makes of degrees"),
+        text.contains("Give `motor` an angle in radians (`deg(60.0)` converts degrees)"),
         "{text}"
     );
 }
@@ -86,8 +89,8 @@ fn degrees_that_are_out_of_reach() {
 fn second_motor_of_a_six_bar() {
     let text = told(Fault::SecondMotor);
     assert!(
-        text.contains("\n  contradictory: `second motor` asks for arm.theta = 2.0000")
-            && text.contains("remove `second motor`"),
+        text.contains("\n  `second motor` requires arm.theta = 2.0000, which contradicts ")
+            && text.contains("Remove `second motor`"),
         "{text}"
     );
 }
@@ -96,8 +99,8 @@ fn second_motor_of_a_six_bar() {
 fn crank_of_a_six_bar_that_is_ten_times_too_long() {
     let text = told(Fault::LongCrank);
     assert!(
-        text.contains("\n  one of these does not fit: `crank` is 0.300 long, ")
-            && text.contains("make `crank` at most 0.2"),
+        text.contains("\n  One of these does not fit: `crank` is 0.300 m long, ")
+            && text.contains("Make `crank` at most 0.2"),
         "{text}"
     );
 }

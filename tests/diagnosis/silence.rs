@@ -47,7 +47,7 @@ fn kinks_of_if_are_events_at_their_times() {
             "{event}"
         );
     }
-    assert!(kinks[0].text.contains("begins to hold") && kinks[1].text.contains("ceases to hold"));
+    assert!(kinks[0].text.contains("becomes true") && kinks[1].text.contains("becomes false"));
     // Backwards they come in the order of the run.
     let back = swinging(|x, y| stepped(x, y, 0.5)).run_both([3.0, 2.0, 1.0, 0.0]).unwrap();
     assert!(back.events().len() == 2 && back.events()[0].t > back.events()[1].t);
@@ -88,7 +88,8 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     );
     let text = motion.summary();
     assert!(
-        text.contains("first position, from where it is drawn: `") && !text.contains("warning"),
+        text.contains("distance of the first position from the drawn one: `")
+            && !text.contains("warning"),
         "{text}"
     );
     // Links by their lengths alone are drawn nowhere.
@@ -124,7 +125,8 @@ fn runs_without_newton_steps_do_not_read_like_faults() {
     m.add("motor", drive_angle(crank, Law::linear(1.0, 1.0))).unwrap();
     let text = m.build().unwrap().run_both(linspace(0.0, 1.0, 401)).unwrap().summary();
     assert!(
-        text.contains("predictions met the equations at ") && !text.contains("0 Newton steps"),
+        text.contains("predictions satisfied the equations at ")
+            && !text.contains("0 Newton steps"),
         "{text}"
     );
 }
@@ -160,7 +162,7 @@ fn handles_of_other_mechanisms_are_errors() {
         let error = result.expect_err(&format!("{k}"));
         assert!(
             matches!(error, Error::ForeignBody { .. })
-                && error.to_string().contains("is not of the mechanism \"four-bar\""),
+                && error.to_string().contains("belongs to another mechanism than \"four-bar\""),
             "{k}: {error}"
         );
     }

@@ -18,7 +18,7 @@ fn held(z: Coord, value: f64) -> f64 {
     z - value
 }
 
-/// z = ⌊6.5 y⌋ + y takes no value between 0.1538 and 1.1538: nothing is reached "at the least", and
+/// z = ⌊6.5 y⌋ + y takes no value between 0.1538 and 1.1538: nothing is reached "at least", and
 /// the step is told.
 #[test]
 fn step_that_leaves_values_out_is_told() {
@@ -38,10 +38,7 @@ fn step_that_leaves_values_out_is_told() {
         (step.at - 1.0 / 6.5).abs() < 1e-6 && ((step.to - step.from).abs() - 1.0).abs() < 1e-6,
         "{step:?}"
     );
-    assert!(
-        said.contains("`stair` jumps at y = 0.1538") && !said.contains("at the least"),
-        "{said}"
-    );
+    assert!(said.contains("`stair` jumps at y = 0.1538") && !said.contains("at least"), "{said}");
     assert!(!said.contains("out of reach"), "{said}");
 }
 
@@ -60,10 +57,7 @@ fn out_of_reach_is_not_said_beside_a_step() {
         if let Err(error) = m.build().unwrap().run(linspace(0.0, 100.0, 1200)) {
             let said = error.to_string();
             println!("{w}: {said}");
-            assert!(
-                !said.contains("at the least") && !said.contains("out of reach"),
-                "{w}: {said}"
-            );
+            assert!(!said.contains("at least") && !said.contains("out of reach"), "{w}: {said}");
             let dimension = |change: &Change| matches!(change, Change::Fit { .. });
             assert!(
                 !error.diagnosis().is_some_and(|found| found.changes.iter().any(dimension)),

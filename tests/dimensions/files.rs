@@ -110,8 +110,8 @@ fn the_order_of_a_file_changes_nothing() {
 fn slips_in_a_file_are_told_by_name() {
     let circle = r#"{"name": "a", "value": "b"}, {"name": "b", "value": "c + 1"}, {"name": "c", "value": "b / 2"}"#;
     for (dimensions, c, told) in [
-        (circle, r#""a""#, "they hang on one another in a circle, `b` on `c` on `b`"),
-        (r#"{"name": "a", "value": "a"}"#, r#""a""#, "in a circle, `a` on `a`"),
+        (circle, r#""a""#, "they depend on one another in a circle, `b` → `c` → `b`"),
+        (r#"{"name": "a", "value": "a"}"#, r#""a""#, "in a circle, `a` → `a`"),
         (
             r#"{"name": "a", "value": 1}"#,
             r#""2 * b""#,
@@ -125,7 +125,7 @@ fn slips_in_a_file_are_told_by_name() {
         (
             r#"{"name": "a", "value": 1}, {"name": "a", "value": 1}"#,
             "1",
-            "two dimensions named `a`",
+            "two dimensions have the name `a`",
         ),
     ] {
         let error = file(dimensions, c).map(|_| ()).unwrap_err().to_string();
@@ -133,7 +133,7 @@ fn slips_in_a_file_are_told_by_name() {
     }
     let unused =
         file(r#"{"name": "a", "value": 1}"#, "1").unwrap().build().unwrap_err().to_string();
-    assert!(unused.contains("nothing hangs on the dimension `a`"), "{unused}");
+    assert!(unused.contains("no number of the mechanism depends on the dimension `a`"), "{unused}");
     let within = r#"{"name": "a", "value": 1, "within": [2, 3]}"#;
     assert!(
         file(within, r#""a""#)

@@ -158,7 +158,7 @@ fn a_tensor_hangs_on_dimensions() -> kin::Result<()> {
         ("product", 0.9, "`product`: with 0.9 `rotor`"),
         ("product", f64::NAN, "`product`: it cannot be NaN"),
         ("j", -0.1, "the principal moment"),
-        ("mass", -1.0, "the mass is -1; give one above zero"),
+        ("mass", -1.0, "the mass is -1. Give a value above zero"),
     ] {
         let error = system.set(name, x).expect_err(name).to_string();
         assert!(error.contains(told), "{error}\n  for {told}");
@@ -205,7 +205,8 @@ fn a_point_with_mass_hangs_on_dimensions() -> kin::Result<()> {
     assert!(far(&set, &effort(&build(false, [3.5, 0.9])?.build()?)?) < 1e-13);
     let error = system.set("bob", 0.0).expect_err("no mass").to_string();
     assert!(
-        error.contains("`bob`: with 0 ") && error.contains("the mass is 0; give one above zero"),
+        error.contains("`bob`: with 0 ")
+            && error.contains("the mass is 0. Give a value above zero"),
         "{error}"
     );
     assert_eq!(bits(&effort(&system)?), bits(&set));
@@ -220,7 +221,7 @@ fn what_makes_no_sense_is_told_by_name() -> kin::Result<()> {
     let before = efforts(&system);
     for (name, x, told) in [
         ("m", -1.0, "the dimension `m`: with -1 `arm` (mass): "),
-        ("m", 0.0, "the mass is 0; give one above zero"),
+        ("m", 0.0, "the mass is 0. Give a value above zero"),
         ("J", -0.01, "the dimension `J`: with -0.01 `arm` (mass): "),
         ("r", 0.0, "the dimension `r`: with 0 `O` (friction): "),
         ("mu", -0.1, "the coefficient is -0.1"),

@@ -51,7 +51,10 @@ fn a_preference_hangs_on_a_dimension() -> kin::Result<()> {
         }
         if by_measure {
             let error = constant.build().map(|_| ()).expect_err("unused").to_string();
-            assert!(error.contains("nothing hangs on the dimension `side`"), "{error}");
+            assert!(
+                error.contains("no number of the mechanism depends on the dimension `side`"),
+                "{error}"
+            );
         }
     }
     Ok(())

@@ -30,13 +30,16 @@ fn what_makes_no_sense_is_told_by_name() {
     for (found, expected) in [
         (
             told(|m, _| m.dimension("spare", 1.0).map(|_| ())),
-            "nothing hangs on the dimension `spare`",
+            "no number of the mechanism depends on the dimension `spare`",
         ),
-        (told(|m, _| m.dimension("crank", 1.0).map(|_| ())), "two dimensions named `crank`"),
+        (
+            told(|m, _| m.dimension("crank", 1.0).map(|_| ())),
+            "two dimensions have the name `crank`",
+        ),
         (told(|m, _| m.dimension(" ", 1.0).map(|_| ())), "a dimension needs a name"),
         (
             told(|m, _| m.dimension("b", f64::NAN).map(|_| ())),
-            "`b`: it is NaN; give a finite number",
+            "`b`: it is NaN. Give a finite number",
         ),
         (
             told(|_, a| done(a.within(0.2, 0.3))),
@@ -136,7 +139,7 @@ fn a_value_that_cannot_be_set_leaves_the_old_one() {
             .set("half", 2.0)
             .unwrap_err()
             .to_string()
-            .contains("`half`: it is an expression of others")
+            .contains("`half`: it is an expression of other dimensions")
     );
     assert!(system.sweep(["half"]).err().unwrap().to_string().contains("`half`"));
     let error = system.set("a", 0.5).unwrap_err().to_string();

@@ -320,7 +320,7 @@ fn the_clutch_is_told_to_mislead_the_stack() {
     compare_proved(&system.tolerance_proved(&motion, phi, 0.0).expect("a proof"), case);
     assert!((found.misled().expect("a share") - 0.44).abs() < 0.01, "{found}");
     let told = found.to_string();
-    assert!(told.contains("the stack misleads by 44 %"), "{told}");
+    assert!(told.contains("the linear stack misses this by 44 %"), "{told}");
     assert_eq!(
         told.lines().next(),
         Some(
@@ -354,7 +354,7 @@ fn the_second_order_of_the_clutch() {
         let off = (second.hessian[i][j] - exact).abs() / exact.abs();
         assert!(off < 1e-8 && second.hessian[i][j] == second.hessian[j][i], "{i} {j}: {off:e}");
     }
-    assert!(found.to_string().contains("Second order: the mean is off by -0.000558"), "{found}");
+    assert!(found.to_string().contains("Second order: the mean shifts by -0.000558"), "{found}");
 }
 
 /// Of the slider-crank's dead centre: crank and rod in line, √((l + r)² − e²).

@@ -61,8 +61,8 @@ fn a_worst_case_where_slopes_vanish() {
         text.starts_with("x (0.5 m at 0 s): -0.0004 to +0 worst case (linear stack ± 0),"),
         "{text}"
     );
-    assert!(text.contains("the slopes vanish here, and the stack says nothing"), "{text}");
-    assert!(text.contains("Looked at all 2 corners of the box of tolerances"), "{text}");
+    assert!(text.contains("the slopes vanish here, so the linear stack has no meaning"), "{text}");
+    assert!(text.contains("Kin checked all 2 corners of the box of tolerances"), "{text}");
     assert!(found.searched.highest.is_empty() && found.searched.lowest[0].by.abs() == 0.04);
 }
 
@@ -82,7 +82,7 @@ fn an_upper_corner_is_never_below_the_nominal_value() {
 /// Two angles of fourteen are worst one way, and all others the other way round: 2¹⁴ corners are
 /// not walked.
 #[test]
-fn many_dimensions_are_looked_at_with_bounded_effort() {
+fn many_dimensions_are_searched_with_bounded_effort() {
     let (system, x) = chain(&[0.0; 14], 0.01);
     let found = stack_of(&system, x);
     let low = (1..=14).map(|k| 0.5 * (0.01 * f64::from(k)).cos()).sum();
@@ -90,9 +90,9 @@ fn many_dimensions_are_looked_at_with_bounded_effort() {
     let looked = &found.searched;
     assert!(!looked.all_corners && looked.corners + looked.inside <= 600, "{looked:?}");
     let text = found.to_string();
-    let said = format!("Looked at {} corners of the box of 14 tolerances", looked.corners);
+    let said = format!("Kin checked {} corners of the box of 14 tolerances", looked.corners);
     assert!(
-        text.contains(&said) && text.ends_with("a corner that was left out may be worse."),
+        text.contains(&said) && text.ends_with("A corner that Kin left out may be worse."),
         "{text}"
     );
 }

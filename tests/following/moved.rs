@@ -319,8 +319,9 @@ fn a_fold_is_found_beside_what_is_carried_far_away() {
             for points in [8, 20, 50, 400] {
                 let what = format!("{far} {size} {rides} from {begin}, {points} times, {engine:?}");
                 let error = run(&system, &linspace(0.0, 1.0, points), engine).expect_err(&what);
-                let last = error.to_string().split_once(" s:").map(|(t, _)| t.replace("t = ", ""));
-                let last: f64 = last.unwrap_or_default().parse().expect(&what);
+                let text = error.to_string();
+                let last = text.split_once("t = ").and_then(|(_, rest)| rest.split_once(" s"));
+                let last: f64 = last.expect(&what).0.parse().expect(&what);
                 assert!((last - expected).abs() < 1e-7, "{what}: {error}");
                 let Error::Toggle { t, .. } = error else {
                     assert!(pace > 1e5, "{what}: {error}");

@@ -238,10 +238,7 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
                 // Each loop alone is locked by the others, and all of them together follow the
                 // motor.
                 let text = error.to_string();
-                assert!(
-                    text.contains("out of reach: `motor` asks for crank.theta"),
-                    "{loops} {points}: {text}"
-                );
+                assert!(text.contains("`motor` requires crank.theta"), "{loops} {points}: {text}");
                 assert!(!text.contains("does not fit"), "{loops} {points}: {text}");
                 for k in 0..loops {
                     for part in ["coupler", "rocker"] {

@@ -281,7 +281,7 @@ fn friction_needs_a_unique_force_at_its_own_joint_alone() {
         assert!((shares[0] + 1.0).abs() + (shares[1] - 1.0).abs() < 1e-9, "{scale}: {shares:?}");
         let told = twins(true).expect_err("not unique");
         assert!(
-            told.starts_with("`rail`: the force that its friction comes from is not unique"),
+            told.starts_with("`rail`: the force that causes its friction is not unique"),
             "{told}"
         );
     }

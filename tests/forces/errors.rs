@@ -22,7 +22,7 @@ fn masses_that_no_body_can_have() {
     let (mut m, arm) = arm();
     assert_eq!(
         told(m.mass(arm, 0.0, vec2(0.0, 0.0), 0.1)),
-        "`arm` (mass): the mass is 0; give one above zero"
+        "`arm` (mass): the mass is 0. Give a value above zero"
     );
     assert!(told(m.mass(arm, f64::NAN, vec2(0.0, 0.0), 0.1)).contains("the mass is NaN"));
     assert!(told(m.mass(arm, 1.0, vec2(f64::INFINITY, 0.0), 0.1)).contains("the centre is inf"));
@@ -34,7 +34,8 @@ fn masses_that_no_body_can_have() {
     );
     let other = Mechanism::new("other").link("arm", 1.0).expect("a link");
     assert!(
-        told(m.mass(other, 1.0, vec2(0.0, 0.0), 0.1)).contains("is not of the mechanism \"arm\"")
+        told(m.mass(other, 1.0, vec2(0.0, 0.0), 0.1))
+            .contains("belongs to another mechanism than \"arm\"")
     );
     let body = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, 0.0))).expect("a body");
     let tensor = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 3.0]];
@@ -81,10 +82,13 @@ fn loads_that_make_no_sense() {
     );
     let other = Mechanism::new("other").link("arm", 1.0).expect("a link");
     assert!(
-        told(m.load("push", Load::torque(other, 1.0))).contains("is not of the mechanism \"arm\"")
+        told(m.load("push", Load::torque(other, 1.0)))
+            .contains("belongs to another mechanism than \"arm\"")
     );
     m.load("push", Load::torque(arm, 1.0)).expect("a load");
-    assert!(told(m.load("push", Load::torque(arm, 1.0))).contains("two loads named `push`"));
+    assert!(
+        told(m.load("push", Load::torque(arm, 1.0))).contains("two loads have the name `push`")
+    );
     assert!(told(m.load(" ", Load::torque(arm, 1.0))).contains("a load needs a name"));
     let turn = Load::along(revolute(ground, arm, vec2(0.0, 0.0), arm.start()), |_, _, _| 1.0);
     assert!(told(m.load("both", turn)).contains("a load acts along one number, this has 2 rows"));
@@ -96,7 +100,7 @@ fn an_energy_is_no_constraint() {
     let spring = kin::loads::spring(m.ground(), arm, vec2(0.0, 1.0), arm.end(), 10.0, 0.2);
     assert_eq!(
         told(m.add("closer", spring.clone())),
-        "`closer` (spring): it is an energy, which acts and holds nothing; give it to the mechanism by `m.load(…)`"
+        "`closer` (spring): it is an energy, which holds nothing. Add it by `m.load(…)`"
     );
     m.load("closer", spring).expect("a load");
 }
@@ -114,7 +118,7 @@ fn forces_of_nothing_and_names_that_nothing_has() {
     let (m, _) = arm();
     let system = m.build().expect("a system");
     let motion = system.run_both([0.0, 1.0]).expect("a motion");
-    assert!(told(system.forces(&motion)).contains("nothing has mass and nothing acts"));
+    assert!(told(system.forces(&motion)).contains("no body has mass and no load acts"));
     let (mut m, arm) = self::arm();
     m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
     let free = m.planar("weight", pose(1.0, 0.0, 0.0)).expect("a body");
@@ -174,14 +178,14 @@ fn contradictory_units() {
     });
     assert_eq!(
         twice,
-        "`units` (words): they are declared as mm, s and t, and again as m, s and t: nothing is converted, so \
+        "`units` (words): your code declares them as mm, s and t, and again as m, s and t. Kin converts nothing, so \
          declare them once"
     );
     let masses = with(&|m| {
         m.units("mm", "s").mass("t");
         m.units("mm", "s").mass("kg");
     });
-    assert!(masses.contains("declared as mm, s and t, and again as mm, s and kg"), "{masses}");
+    assert!(masses.contains("declares them as mm, s and t, and again as mm, s and kg"), "{masses}");
     let same = with(&|m| {
         m.units("mm", "s").mass("t");
         m.units("mm", "s").mass("t");
@@ -206,8 +210,7 @@ fn gravity_in_other_units() {
     };
     assert_eq!(
         with("mm", "s", 9.81),
-        "`gravity` (acceleration): 9.81 mm/s^2 is the earth's in other units: in mm/s^2 it is 9806.65. Give it in \
-         the units of the mechanism, or declare those by `m.units(length, time)`"
+        "`gravity` (acceleration): 9.81 mm/s^2 is the earth's gravity in other units; in mm/s^2 it is 9806.65. Give it in the units of the mechanism, or declare its units by `m.units(length, time).mass(mass)`"
     );
     assert!(with("m", "s", 9810.0).contains("in m/s^2 it is 9.80665"));
     assert!(with("mm", "ms", 9.81).contains("in mm/ms^2 it is 0.00980665"));
@@ -240,7 +243,7 @@ fn dimensions_in_other_units() {
     };
     assert_eq!(
         with("m"),
-        "`reach` (dimension): it is in m, and lengths are in mm by `m.units`: nothing is converted; give it in mm"
+        "`reach` (dimension): it is in m, but the mechanism has lengths in mm. Kin converts nothing, so give it in mm"
     );
     assert_eq!(
         (with("mm"), with("rad"), with("mm^2")),

@@ -16,32 +16,38 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
     let slide =
         |mu: f64, length: f64, width: f64, rate: f64| Friction::slide(mu, [length, width], rate);
     for (friction, due) in [
-        (slide(-0.1, 0.4, 0.0, 1.0), "the coefficient is -0.1; give one of at least zero"),
-        (slide(f64::NAN, 0.4, 0.0, 1.0), "the coefficient is NaN; give one of at least zero"),
-        (slide(0.1, 0.0, 0.0, 1.0), "the length of the guide is 0; give one above zero"),
+        (slide(-0.1, 0.4, 0.0, 1.0), "the coefficient is -0.1. Give a value of at least zero"),
+        (slide(f64::NAN, 0.4, 0.0, 1.0), "the coefficient is NaN. Give a value of at least zero"),
+        (slide(0.1, 0.0, 0.0, 1.0), "the length of the guide is 0. Give a value above zero"),
         (
             slide(0.1, f64::INFINITY, 0.0, 1.0),
-            "the length of the guide is inf; give one above zero",
+            "the length of the guide is inf. Give a value above zero",
         ),
-        (slide(0.1, 0.4, -0.1, 1.0), "the width of the guide is -0.1; give one of at least zero"),
-        (slide(0.1, 0.4, 0.1, 0.0), "the rate at which friction sets in is 0; give one above zero"),
+        (
+            slide(0.1, 0.4, -0.1, 1.0),
+            "the width of the guide is -0.1. Give a value of at least zero",
+        ),
+        (
+            slide(0.1, 0.4, 0.1, 0.0),
+            "the rate at which friction sets in is 0. Give a value above zero",
+        ),
         (
             slide(0.1, 0.4, 0.1, -1.0),
-            "the rate at which friction sets in is -1; give one above zero",
+            "the rate at which friction sets in is -1. Give a value above zero",
         ),
         (
             slide(0.1, 0.4, 0.1, f64::NAN),
-            "the rate at which friction sets in is NaN; give one above zero",
+            "the rate at which friction sets in is NaN. Give a value above zero",
         ),
-        (Friction::pin(0.1, 0.0, 1.0), "the radius of the pin is 0; give one above zero"),
+        (Friction::pin(0.1, 0.0, 1.0), "the radius of the pin is 0. Give a value above zero"),
         (
             Friction::pin(0.1, 0.02, 1.0),
-            "friction of a pin needs one of revolute, cylindrical, and this is `prismatic`",
+            "friction of a pin needs one of revolute, cylindrical, but this is `prismatic`",
         ),
     ] {
         assert_eq!(told("incline", friction), format!("`incline` (friction): {due}"));
     }
-    assert!(told("rod", slide(0.1, 0.4, 0.1, 1.0)).contains("and this is `distance`"));
+    assert!(told("rod", slide(0.1, 0.4, 0.1, 1.0)).contains("but this is `distance`"));
     assert!(told("slide", slide(0.1, 0.4, 0.1, 1.0)).starts_with("there is no constraint `slide`"));
     let body = m.spatial("body", SpatialPose::at(Vec3::zeros())).expect("a body");
     let o = Vec3::zeros();
@@ -59,7 +65,7 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
         .map(|_| ())
         .unwrap_err()
         .to_string();
-    assert_eq!(told, "there is no joint with friction `winch`; there are `incline`");
+    assert_eq!(told, "there is no joint with friction `winch`. Use `incline`");
 }
 
 /// Pin joint by the name of the library's, whose first vector is another thing.
@@ -74,8 +80,7 @@ fn friction_of_a_joint_of_ones_own_is_refused_whatever_its_name() {
     let drum = m.planar("drum", pose(0.0, 0.0, 0.0)).expect("a body");
     m.add("shaft", revolute(drum, m.ground(), vec2(0.1, 0.0), O)).expect("a joint");
     let told = m.friction("shaft", Friction::pin(0.1, 0.02, 1.0)).unwrap_err().to_string();
-    let due = "`shaft` (friction): friction of a pin needs one of revolute, cylindrical, and this is `revolute` of \
-               your own";
+    let due = "`shaft` (friction): friction of a pin needs one of revolute, cylindrical, but this is `revolute`, which is user-defined";
     assert_eq!(told, due);
 }
 
@@ -115,6 +120,6 @@ fn friction_comes_back_from_a_file_and_stands_in_the_table() {
     let told = Mechanism::from_data(&wrong, &Registry::new()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(
         told,
-        "`O` (friction): the rate at which friction sets in is -0.5; give one above zero"
+        "`O` (friction): the rate at which friction sets in is -0.5. Give a value above zero"
     );
 }

@@ -292,7 +292,7 @@ fn given_states_are_refused_by_name_and_taken_as_they_are() {
     let told = |times: &[f64], q: &[Vec<f64>]| {
         Motion::from_states(&system, times, q, &qd, &qdd).unwrap_err().to_string()
     };
-    assert!(told(run.times(), &q[..4]).contains("q of a motion: 4 values given, 5 needed"));
+    assert!(told(run.times(), &q[..4]).contains("q of a motion needs 5 values, but has 4"));
     assert!(told(&[0.0, 1.0, 0.5, 2.0, 3.0], &q).contains("must only increase"));
     let mut bad = q.clone();
     bad[2][1] = f64::NAN;
@@ -322,7 +322,7 @@ fn masses_and_gravity_come_back_from_a_file_and_closures_are_refused() {
     m.load("push", Load::along(loads::turn(arm, m.ground()), |_, _, _| 1.0)).expect("a load");
     let told = m.data().unwrap_err().to_string();
     assert!(
-        told.starts_with("load `push`: its force is a closure, which no file can carry"),
+        told.starts_with("load `push`: its force is a closure, which no file can store"),
         "{told}"
     );
 }

@@ -5,6 +5,7 @@ mod comments;
 mod imports;
 mod limits;
 mod lists;
+mod messages;
 mod papers;
 mod reading;
 mod roots;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::ROOT;
 
 /// Phrases that papers do not use, each with what to write instead.
-const RETIRED: [(&str, &str); 14] = [
+pub const RETIRED: [(&str, &str); 14] = [
     ("told", "reported, named"),
     ("asked", "requested, evaluated"),
     ("hangs on", "depends on"),
@@ -24,10 +24,10 @@ const RETIRED: [(&str, &str); 14] = [
 ];
 
 /// The longest sentence that is not counted as long.   \[words\]
-const WORDS: usize = 25;
+pub const WORDS: usize = 25;
 
 /// How many of a hundred sentences may be long.
-const LONG: usize = 5;
+pub const LONG: usize = 5;
 
 /// All papers of the repository.
 fn papers() -> Vec<PathBuf> {
@@ -44,7 +44,7 @@ fn papers() -> Vec<PathBuf> {
 }
 
 /// The text without its code: blocks and what is between backticks become one word.
-fn without_code(text: &str) -> String {
+pub fn without_code(text: &str) -> String {
     let mut is_code = false;
     let mut kept = String::new();
     for line in text.lines() {
@@ -61,7 +61,7 @@ fn without_code(text: &str) -> String {
 }
 
 /// The sentences of paragraphs, items of lists and cells of tables; headings have none.
-fn sentences(text: &str) -> Vec<String> {
+pub fn sentences(text: &str) -> Vec<String> {
     let mut paragraphs = vec![String::new()];
     for line in without_code(text).lines().map(str::trim) {
         let item = ["* ", "- "].iter().find_map(|mark| line.strip_prefix(mark));
@@ -95,7 +95,7 @@ fn sentences(text: &str) -> Vec<String> {
 }
 
 /// True if the phrase is in the text as whole words.
-fn has(text: &str, phrase: &str) -> bool {
+pub fn has(text: &str, phrase: &str) -> bool {
     let is_letter = |c: Option<char>| c.is_some_and(char::is_alphabetic);
     text.match_indices(phrase).any(|(at, _)| {
         !is_letter(text[..at].chars().next_back())
@@ -123,7 +123,7 @@ fn papers_use_no_retired_words() {
 }
 
 #[test]
-fn sentences_of_papers_are_short() {
+pub fn sentences_of_papers_are_short() {
     let mut wrong = Vec::new();
     for path in papers() {
         let all = sentences(&fs::read_to_string(&path).expect("readable"));

@@ -141,7 +141,7 @@ fn a_false_promise_is_found_by_the_check() {
     said(broken(Dependence { q_d: false, ..all }, None), "Q_d, promised to be zero");
     said(broken(Dependence { curved: false, ..all }, None), "C, promised to be linear");
     said(broken(all, Some(1.0)), "an entry of C_q, promised to be constant");
-    said(told(all, None, Some(0)), "told with the numbers of the time");
+    said(told(all, None, Some(0)), "given the numbers of the time");
 }
 
 #[test]

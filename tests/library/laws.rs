@@ -382,7 +382,7 @@ fn what_makes_no_sense_is_refused_in_words() {
         ),
         (Law::sequence(0.0, [(0.0, Law::ramp(1.0))]), "the length 0"),
         (Law::ramp(1.0).periodic(2.0), "does not repeat after 2"),
-        (Law::constant(1.0).periodic(-1.0), "period is above zero"),
+        (Law::constant(1.0).periodic(-1.0), "period must be above zero"),
         (2.0 * Law::ramp(1.0).compose(&Law::sequence(0.0, Vec::<(f64, Law)>::new())), "no part"),
         (bump(1.0, 0.0), "a bump needs a width (width = 0)"),
     ] {

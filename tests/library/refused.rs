@@ -28,7 +28,7 @@ fn bad_parameters_of_planar_joints() {
         ),
         (
             refusal(&mut m, distance(a, b, o, o, f64::NAN)),
-            "`it`: the parameter `length` is NaN; give a finite number",
+            "`it` has NaN as its parameter `length`. Give a finite number",
         ),
         (
             refusal(&mut m, prismatic(a, b, o, o, o, 0.0)),
@@ -65,7 +65,7 @@ fn bad_parameters_of_planar_joints() {
         ),
         (
             refusal(&mut m, drive_angle(a, Law::trapezoidal(1.0, 0.0, 1.0))),
-            "`it` (drive_angle): law: trapezoidal: speed, acceleration and jerk are above zero",
+            "`it` (drive_angle): law: trapezoidal: speed, acceleration and jerk must be above zero",
         ),
         (
             refusal(
@@ -107,7 +107,7 @@ fn bad_parameters_of_spatial_joints() {
     let cases = [
         (
             refusal(&mut m, spatial::revolute(a, b, o, o, o, z)),
-            "`it`: the parameter `h_i.x` is NaN",
+            "`it` has NaN as its parameter `h_i.x`",
         ),
         (
             refusal(&mut m, spatial::revolute(a, b, o, o, z, o)),
@@ -182,7 +182,7 @@ fn an_axis_the_wrong_way_round_is_told() {
     assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
     assert!(
         text.contains(
-            "`hinge` (revolute) closes the wrong way: its axes are opposite: h_i · h_j < 0."
+            "`hinge` (revolute) closes the wrong way at t = 0 s: its axes are opposite: h_i · h_j < 0."
         ),
         "{text}"
     );
@@ -233,10 +233,7 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
     let error = driven(corner, &linspace(0.1, 1.9, 10)).expect_err("a corner");
     let text = error.to_string();
     assert!(matches!(error, Error::LawJumps { order: 1, .. }), "{text}");
-    assert!(
-        text.contains("the law `law` of `motor` jumps at 1: its slope changes there"),
-        "{text}"
-    );
+    assert!(text.contains("its slope changes suddenly at 1"), "{text}");
     let before = error.motion().expect("the motion before");
     assert_eq!((before.len(), before.breaks().len()), (5, 0), "it ends before the corner");
     // a value that jumps, in a law of one's own that says so
@@ -257,7 +254,7 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
         }
     }
     let text = driven(Law::new(Step), &[0.0, 1.0]).expect_err("a step").to_string();
-    assert!(text.contains("its value changes there"), "{text}");
+    assert!(text.contains("its value changes suddenly"), "{text}");
 }
 
 /// Breaks of a cam's profile are crossed by the angle at which it is asked, also over the cut of

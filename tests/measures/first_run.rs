@@ -293,8 +293,8 @@ fn a_table_that_ends_before_the_run_is_a_warning() {
     assert_eq!((one.kind, &one.names[..]), (WarningKind::BeyondRange, &["motor".to_string()][..]));
     assert_eq!(
         one.text,
-        "t = 2 s: `law` of `motor` ends at 2, the run goes on to 3: beyond 2 the law is a straight \
-         line."
+        "t = 2 s: `law` of `motor` ends at 2, but the run continues to 3. Beyond 2 the law is a \
+         straight line."
     );
 }
 

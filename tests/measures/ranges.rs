@@ -31,7 +31,7 @@ fn a_spline_beyond_its_table_is_not_silent() {
     near(t, 2.0, 1e-12);
     assert_eq!(
         text,
-        "`law` of `d` ends at 2, the run goes on to 3: beyond 2 the law is a straight line"
+        "`law` of `d` ends at 2, but the run continues to 3. Beyond 2 the law is a straight line"
     );
     assert!(
         motion.summary().contains("warning: t = 2 s: `law` of `d` ends at 2"),
@@ -45,7 +45,7 @@ fn a_spline_beyond_its_table_is_not_silent() {
     near(t, 0.0, 1e-12);
     assert_eq!(
         text,
-        "`law` of `d` begins at 0, the run goes on to -1: before 0 the law is a straight line"
+        "`law` of `d` begins at 0, but the run continues to -1. Before 0 the law is a straight line"
     );
     // Both ends, each once; a law that is made of it, later and faster.
     assert_eq!(warned(&run(spline(), &linspace(-1.0, 3.0, 41))).len(), 2);
@@ -115,7 +115,7 @@ fn a_run_may_end_where_a_sequence_does() {
     }
     for times in [vec![0.0, 1.0, 2.0, 3.0], vec![1.0, 3.0], vec![3.0, 2.0, 1.0], vec![2.0, 3.0]] {
         assert!(
-            system.run_both(&times).unwrap_err().to_string().contains("its slope changes there")
+            system.run_both(&times).unwrap_err().to_string().contains("its slope changes suddenly")
         );
     }
 }

@@ -35,7 +35,8 @@ fn a_motion_of_before_something_was_set_is_told() {
         assert!(is_other(system.extremes(&motion, "rod.theta")));
         let told = system.forces(&motion).err().map(|error| error.to_string()).unwrap_or_default();
         assert!(
-            told.contains("\"slider-crank\" as it is now") && told.contains("`rail` is"),
+            told.contains("\"slider-crank\" with its present values")
+                && told.contains("the error of `rail` is"),
             "{told}"
         );
         // Run again, all is well.

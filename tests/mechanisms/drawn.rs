@@ -30,8 +30,8 @@ fn an_exact_drawn_pose_that_is_singular_is_not_left_in_silence() {
         "rank 2",
         "The drawn position is singular",
         "`rod` turns about",
-        "meets every equation",
-        "let `lift` begin at another value",
+        "satisfies every equation",
+        "Let `lift` begin at another value",
         "prefer it",
     ] {
         assert!(text.contains(part), "{part}: {text}");

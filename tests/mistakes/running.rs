@@ -15,7 +15,7 @@ pub fn all() -> Vec<Mistake> {
         Mistake {
             title: "A run that begins at a change point",
             line: r#"m.add("motor", drive_angle(crank, Law::linear(0.0, 1.0)))?; // a parallelogram is flat at 0"#,
-            culprit: "begin at t = 0.01 s",
+            culprit: "Begin at t = 0.01 s",
             told: change_point,
         },
         Mistake {

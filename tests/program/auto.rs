@@ -36,7 +36,7 @@ fn a_program_is_made_where_there_are_times_enough_for_it() {
         "{:?}",
         many.engine()
     );
-    assert!(many.summary().contains(" of 2001 times by a program"), "{}", many.summary());
+    assert!(many.summary().contains(" of 2001 times compiled"), "{}", many.summary());
     assert!(!few.summary().contains("program"), "{}", few.summary());
     let plain = SolverOptions::new().engine(Engine::StepByStep);
     let plain = system.solver().options(plain.clone()).run(linspace(0.0, 1.0, 2001)).expect("runs");
@@ -117,7 +117,11 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
         reason.contains("`motor` cannot be compiled") && reason.contains("dual route"),
         "{reason}"
     );
-    assert!(motion.summary().contains(&format!("plain steps: {reason}")), "{}", motion.summary());
+    assert!(
+        motion.summary().contains(&format!("step by step, because {reason}")),
+        "{}",
+        motion.summary()
+    );
     let plain = SolverOptions::new().engine(Engine::StepByStep);
     let plain = system.solver().options(plain.clone()).run(linspace(0.0, 1.0, 2001)).expect("runs");
     assert!(plain.why_not_compiled().is_none() && differences(&plain, &motion) == [0.0; 3]);
@@ -128,10 +132,10 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
 fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
     let system = driven();
     let all = [
-        (auto().predict(false), "a program always predicts"),
+        (auto().predict(false), "compiled runs always predict"),
         (
             auto().stop(Stop::ResidualOnly(1e-10)),
-            "a stop rule by the residual alone is that of plain steps",
+            "only the step-by-step solver has a stop rule by the residual alone",
         ),
     ];
     for (options, reason) in all {

@@ -166,7 +166,9 @@ fn a_change_of_assembly_is_found() {
         assert!(unproved.contains(&(at - 1)), "{:?}: {proof}", case.bar);
         assert!(
             unproved[0] != at - 1
-                || proof.to_string().contains(&format!("First not proved: step {at}, from t = ")),
+                || proof
+                    .to_string()
+                    .contains(&format!("The first step without proof is step {at}, from t = ")),
             "{proof}"
         );
         found += 1;

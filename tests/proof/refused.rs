@@ -75,7 +75,9 @@ fn constraints_and_laws_without_bounds() {
     ] {
         let text = refusal(&with_law(law));
         assert!(
-            text.starts_with("a motion with `motor` (drive) cannot be proved: of its law `"),
+            text.starts_with(
+                "a motion with `motor` (drive) cannot be proved: Kin has no bounds of its law `"
+            ),
             "{text}"
         );
     }
@@ -83,7 +85,10 @@ fn constraints_and_laws_without_bounds() {
         refusal(&slider(|m, x| m.add("motor", by_dual(drive(x, Law::ramp(1.0)))).map(|_| ())));
     assert!(text.contains("`motor`") && text.contains("dual route"), "{text}");
     let text = refusal(&slider(|m, x| m.add("motor", by_helper(x)).map(|_| ())));
-    assert!(text.contains("`motor` (by_helper)") && text.contains("function of yours"), "{text}");
+    assert!(
+        text.contains("`motor` (by_helper)") && text.contains("user-defined function"),
+        "{text}"
+    );
 }
 
 /// A law of one's own under `#[law]` has bounds, alone and within others.
@@ -158,7 +163,7 @@ fn a_law_that_tells_its_own_bounds() {
             let system = slider(|m, x| m.add("motor", drive(x, law)).map(|_| ()));
             let proof = system.prove(&system.run_both(linspace(-1.0, 2.0, 31)).unwrap()).unwrap();
             assert!(proof.is_complete() && proof.trusted().len() == trusted, "{proof}");
-            let said = format!("That is trusting the bounds of `{kind}` in `motor`.");
+            let said = format!("This proof relies on the bounds of `{kind}` in `motor`.");
             assert_eq!(proof.to_string().contains(&said), trusted > 0, "{proof}");
         }
     }

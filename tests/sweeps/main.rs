@@ -146,7 +146,7 @@ fn mistakes_are_told_by_name_before_anything_is_computed() {
     let error = run(&[good.clone(), vec![0.5, f64::NAN]], &[0.0]).to_string();
     assert!(error.contains("case 1") && error.contains("`rocker.theta` is NaN"), "{error}");
     let error = run(&[good.clone(), vec![0.5]], &[0.0]).to_string();
-    assert!(error.contains("case 1") && error.contains("2 needed"), "{error}");
+    assert!(error.contains("case 1") && error.contains("needs 2 values"), "{error}");
     assert!(matches!(run(std::slice::from_ref(&good), &[0.0, 0.0]), Error::InvalidTimes { .. }));
     let sweep = system
         .sweep(NAMES)

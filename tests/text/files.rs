@@ -323,11 +323,11 @@ fn an_equation_does_not_take_the_place_of_the_librarys() {
             .map(|error| error.to_string())
             .unwrap_or_default()
     };
-    let told = "the library has a `revolute` of the same arguments";
+    let told = "the library has a `revolute` with the same arguments";
     let mut data = mechanism(2.0).data().unwrap();
     data.equations.push(text.to_string());
     let error = error_of(&data, &registry());
-    assert!(error.contains(told) && error.contains("give the equation another name"), "{error}");
+    assert!(error.contains(told) && error.contains("Give the equation another name"), "{error}");
     // Neither is one written, from a text or from a program, even where its text would be left out.
     let mut m = Mechanism::new("shadows");
     let arm = m.planar("arm", pose(0.2, 0.1, 0.0)).unwrap();
@@ -340,7 +340,7 @@ fn an_equation_does_not_take_the_place_of_the_librarys() {
     let arm = m.planar("arm", pose(0.2, 0.1, 0.0)).unwrap();
     m.add("O", shadow::distance(arm, m.ground(), vec2(0.0, 0.0), vec2(0.0, 0.0), 1.0)).unwrap();
     let error = m.data().err().map(|error| error.to_string()).unwrap_or_default();
-    assert!(error.contains("`O`: the library has a `distance` of the same arguments"), "{error}");
+    assert!(error.contains("`O`: the library has a `distance` with the same arguments"), "{error}");
     // With other arguments it is another constraint, as `revolute` of planar and of spatial bodies
     // are.
     data.equations[1] = text.replace("i: Planar, j: Planar", "a: Planar, i: Planar, j: Planar");
@@ -364,10 +364,7 @@ fn of_two_equations_of_one_name_in_a_file_neither_is_taken() {
     data.equations[1] = data.equations[1].replace("parabola(s.x, k)", "k * s.x");
     let error = Mechanism::from_data(&data, &registry()).err().map(|error| error.to_string());
     let error = error.unwrap_or_default();
-    assert!(
-        error.contains("there are two equations `parabolic_slot` of the same arguments"),
-        "{error}"
-    );
+    assert!(error.contains("two equations `parabolic_slot` have the same arguments"), "{error}");
 }
 
 /// The file says what it means: a program's own constraint of that name does not change it.

@@ -59,8 +59,7 @@ fn mistakes_are_told_as_the_macro_tells_them() {
                 Some((told, _)) => found.contains(&format!("{told} cannot be read from a text")),
                 None => found.contains(wanted),
             };
-        let of_type =
-            found.iter().any(|found| found.contains("other types are known to programs only"));
+        let of_type = found.iter().any(|found| found.contains("in a text a parameter is an `f64`"));
         let is_of_program =
             PROGRAMS.iter().any(|name| path.file_stem().is_some_and(|stem| stem == *name));
         if is_of_program != of_type || !is_of_program && !wanted.iter().all(is_told) {
@@ -197,7 +196,7 @@ fn a_mistake_is_shown_with_a_caret() {
     p.norm() - profile
 }";
     let shown = Equation::read(text).err().expect("a mistake").to_string();
-    let wanted = "`profile` is a Law: ask it for a value with `profile.at(x)`
+    let wanted = "`profile` is a Law: get a value with `profile.at(x)`
  --> text:3:16
   |
 3 |     p.norm() - profile

@@ -40,7 +40,7 @@ const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
         "let_else_that_goes_on",
         "fn stop(x: Coord) -> f64 {\n    let Some(y) = (x > 0.0).then(|| 2.0 * x) else { 0.0; };\n    x - y\n}",
         "2:51",
-        "behind `else` there is no value to go on with: leave by `return`, `break`, `continue` or `panic!`",
+        "after `else` the function needs a way out: `return`, `break`, `continue` or `panic!`",
     ),
     (
         "map_or_without_its_function",
@@ -82,7 +82,7 @@ const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
         "text_constant_beside_a_while",
         "const NAME: &str = \"slot\";\nfn series(x: Coord) -> f64 {\n    x - NAME\n}",
         "3:9",
-        "`NAME` is a constant of type `&str`: numbers are computed of numbers only",
+        "`NAME` is a constant of type `&str`: write a number in its place",
     ),
 ];
 
@@ -206,7 +206,7 @@ fn other_mistakes_of_which_rustc_speaks_are_told_too() {
         (
             "match x { 0.0 => x, 1.0 => k }",
             39,
-            "this `match` may find no arm: end it with `_ => …`",
+            "this `match` may have no matching arm: end it with `_ => …`",
         ),
         ("let v = vec2(x, k); v.x += 1.0; v.x - v.y", 53, "declare it `mut v`"),
         ("let all = [x, k]; all[0] = 1.0; all[0] - all[1]", 51, "declare it `mut all`"),
@@ -216,7 +216,7 @@ fn other_mistakes_of_which_rustc_speaks_are_told_too() {
         ("let y: f64; y - x", 45, "this variable has no value yet"),
         ("let all = [x, k].into_iter(); all.next().unwrap_or(0.0) - k", 63, "declare it `mut all`"),
         ("assert!(x); x - k", 33, "this must be a condition (bool)"),
-        ("for _ in 0..3 { break 'out; } x - k", 55, "known here: none"),
+        ("for _ in 0..3 { break 'out; } x - k", 55, "known labels: none"),
     ] {
         let text = format!("fn f(x: Coord, k: f64) -> f64 {{ {body} }}");
         let mistakes = Equation::read(&text).err().unwrap_or_else(|| panic!("{text} is read"));

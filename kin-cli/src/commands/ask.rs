@@ -19,7 +19,7 @@ pub fn check(asked: &Check, say: &Say) -> Result<(), Fault> {
         .options(kin::SolverOptions::new().allowed_misfit(asked.misfit.share))
         .position(asked.at)?;
     say.note(&format!(
-        "{}: {} coordinates, {} equations; at t = {} {} it is assembled, |C| ≤ {:.0e}",
+        "{}: {} coordinates, {} equations; assembled at t = {} {}, |C| ≤ {:.0e}",
         system.name(),
         system.n_coordinates(),
         system.n_equations(),

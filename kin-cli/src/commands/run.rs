@@ -89,7 +89,7 @@ fn with_point(
         (planar, ..) => {
             let (is, n) = if planar.is_some() { ("planar", 2) } else { ("spatial", 3) };
             return Err(Fault::Usage(format!(
-                "`{body}` is a {is} body: a point of it has {n} numbers"
+                "`{body}` is a {is} body. Give {n} numbers for its point"
             )));
         }
     };
@@ -112,7 +112,7 @@ pub fn watch(asked: &Run, say: &Say) -> Result<(), Fault> {
     let file = &asked.model.file;
     if file == "-" {
         return Err(Fault::Usage(
-            "the standard input does not change: give a file to watch".to_string(),
+            "standard input does not change. Give a file to watch".to_string(),
         ));
     }
     let mut known = model::text(file)?;

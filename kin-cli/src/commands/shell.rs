@@ -32,7 +32,7 @@ pub fn manual(of: Option<&str>) -> Result<(), Fault> {
         Some(name) => {
             let found = all.find_subcommand(name).cloned();
             found.ok_or_else(|| {
-                Fault::Usage(format!("there is no command `{name}`; `kin help` lists them"))
+                Fault::Usage(format!("there is no command `{name}`. `kin help` lists all"))
             })?
         }
     };

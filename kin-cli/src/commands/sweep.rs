@@ -31,7 +31,7 @@ struct Cases {
 pub fn sweep(asked: &Sweep, say: &Say) -> Result<(), Fault> {
     if asked.model.file == "-" && asked.cases == "-" {
         return Err(Fault::Usage(
-            "mechanism and cases cannot both be the standard input".to_string(),
+            "mechanism and cases cannot both come from standard input".to_string(),
         ));
     }
     let system = model::system(&asked.model)?;
@@ -125,9 +125,9 @@ fn known(
     system.sweep(names).map_err(Fault::asked)?;
     let checked = first.map_or(Ok(()), |t| system.check_columns(keep, *t));
     checked.map_err(|error| match Fault::asked(error) {
-        Fault::Usage(text) if system.has_forces() => {
-            Fault::Usage(format!("{text}; the first line of `kin forces FILE` has those of forces"))
-        }
+        Fault::Usage(text) if system.has_forces() => Fault::Usage(format!(
+            "{text}. The first line of `kin forces FILE` lists the columns of forces"
+        )),
         other => other,
     })
 }

@@ -161,16 +161,16 @@ fn of_files() -> Vec<Line> {
     let unmet = slot("[\"fn", "[\"#[require(k < 1.0, \\\"a slot this flat\\\")]\\nfn");
     let undefined = slot("s.y - k * s.x * s.x", "s.y - (s.x - k).sqrt()");
     vec![
-        ("DuplicateName", 1, "there are two constraints named `O`", run("twice", &twice, "0")),
+        ("DuplicateName", 1, "two constraints have the name `O`", run("twice", &twice, "0")),
         ("EmptyName", 1, "a body", run("nameless", &nameless, "0")),
-        ("InvalidLength", 1, "give one above zero", run("lengthless", &lengthless, "0")),
+        ("InvalidLength", 1, "above zero", run("lengthless", &lengthless, "0")),
         ("RepeatedBody", 1, "`crank`", run("same", &same, "0")),
-        ("NoCoordinates", 1, "has no coordinate left", run("nothing", &nothing, "0")),
+        ("NoCoordinates", 1, "holds no coordinate", run("nothing", &nothing, "0")),
         ("Dimension", 1, "`reach`", run("unused", &unused, "0")),
         (
             "Data",
             5,
-            "`reach * reach` is inf; give numbers of which it is finite",
+            "`reach * reach` is inf. Give numbers that make it finite",
             run("huge", &huge, "0"),
         ),
         ("InvalidParameters", 1, "a slot this flat", run("unmet", &unmet, "0")),
@@ -187,8 +187,13 @@ fn of_motions() -> Vec<Line> {
     free["constraints"].as_array_mut().expect("a list").retain(|one| one["name"] != "motor");
     let corner = Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]);
     vec![
-        ("CannotBeDriven", 1, "nothing drives", run("free", &free, "0:1:3")),
-        ("NoConvergence", 1, "t = 0 s: ", asked(&["check", m, "--set", "C.u_i.x=20"])),
+        ("CannotBeDriven", 1, "Nothing drives", run("free", &free, "0:1:3")),
+        (
+            "NoConvergence",
+            1,
+            "cannot be assembled at t = 0 s",
+            asked(&["check", m, "--set", "C.u_i.x=20"]),
+        ),
         (
             "SingularAt",
             1,
@@ -198,12 +203,17 @@ fn of_motions() -> Vec<Line> {
         (
             "Toggle",
             3,
-            "a toggle: beyond this time there is no position",
+            "no position exists beyond the toggle",
             asked(&["run", m, "--times", "0:1:101", "--set", "C.u_i.x=6"]),
         ),
-        ("CannotFollow", 3, "nearer to one another", asked(&["run", m, "--times", "0,1e9"])),
+        ("CannotFollow", 3, "give closer times", asked(&["run", m, "--times", "0,1e9"])),
         ("WrongBranch", 1, "closes the wrong way", run("door", &door(), "0:1:3")),
-        ("LawJumps", 3, "its slope changes there", run("corner", &driven(&corner), "0.1:1.9:10")),
+        (
+            "LawJumps",
+            3,
+            "its slope changes suddenly",
+            run("corner", &driven(&corner), "0.1:1.9:10"),
+        ),
         (
             "CannotBeProved",
             4,
@@ -247,7 +257,7 @@ fn of_questions() -> Vec<Line> {
         (
             "InvalidLength",
             2,
-            "give one above zero",
+            "above zero",
             asked(&["check", &made("length", &reach()), "--set", "reach=-1"]),
         ),
         ("NeedsMemory", 2, "GB", asked(&["run", m, "--times", "0:1:6000000"])),
@@ -272,7 +282,7 @@ fn of_questions() -> Vec<Line> {
         (
             "Jammed",
             1,
-            "jammed: at ",
+            "already requires infinite",
             asked(&["forces", &made("drawer", &drawer()), "--times", "0:1:3"]),
         ),
         (

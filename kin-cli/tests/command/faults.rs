@@ -23,7 +23,7 @@ fn fails(arguments: &[&str], wanted: i32, told: &str) {
 #[test]
 fn a_mechanism_that_cannot_be_driven_is_its_own_fault() {
     let free = without("motor");
-    let told = "nothing drives";
+    let told = "Nothing drives";
     fails(&["run", &free, "--times", "0:1:3", "--csv", "-"], 1, told);
     fails(&["check", &free], 1, told);
     fails(&["diagnose", &free], 1, told);
@@ -43,19 +43,19 @@ fn a_command_line_that_makes_no_sense_is_usage() {
         "there is no parameter `O.u_k.x`",
     );
     let twice = ["run", m, "--times", "0:1:3", "--set", "O.u_i.x=0", "--set", "O.u_i.x=1"];
-    fails(&twice, 2, "`--set` names `O.u_i.x` twice: leave one of the two out");
-    let all = "and 9 more; `kin check FILE --names` lists all";
+    fails(&twice, 2, "`--set` names `O.u_i.x` twice. Remove one of the two");
+    let all = "and 9 more. `kin check FILE --names` lists all";
     fails(&["run", m, "--times", "0:1:3", "--set", "crank=1"], 2, all);
     fails(
         &["run", m, "--times", "0:1:3", "--point", "P=cuppler:0,0"],
         2,
         "there is no body `cuppler`",
     );
-    fails(&["run", m, "--times", "0:1:3", "--point", "P=coupler:0,0,0"], 2, "has 2 numbers");
+    fails(&["run", m, "--times", "0:1:3", "--point", "P=coupler:0,0,0"], 2, "Give 2 numbers");
     fails(&["run", m, "--times", "0:1:3", "--measure", "A.slide"], 2, "A.slide");
     fails(&["measure", m, "B.length", "--times", "0:1:3"], 2, "B.length");
     fails(&["sensitivities", m, "--times", "0:1:3", "--by", "O.u_k.x"], 2, "O.u_k.x");
-    fails(&["watch", "-", "--times", "0:1:3"], 2, "give a file to watch");
+    fails(&["watch", "-", "--times", "0:1:3"], 2, "Give a file to watch");
     let turning = |file: &str, numbers: &str, told: &str| {
         fails(&["run", file, "--times", "0:2:241", "--other-branch-at", numbers], 2, told);
         fails(&["forces", file, "--times", "0:2:241", "--other-branch-at", numbers], 2, told);
@@ -66,7 +66,7 @@ fn a_command_line_that_makes_no_sense_is_usage() {
         "0,99",
         "`--other-branch-at 99`: the motion passes 4 change points, numbers 0 to 3",
     );
-    turning(m, "a", "`a` is no number of a change point: they are counted 0, 1, 2");
+    turning(m, "a", "`a` is no number of a change point. Count change points 0, 1, 2");
     fails(&["manual", "rum"], 2, "no command `rum`");
     fails(&["completions", "shish"], 2, "shish");
 }
@@ -77,11 +77,7 @@ fn a_run_that_ends_early_has_written_what_came_before() {
         ["run", &example("04_four_bar"), "--times", "0:1:101", "--set", "C.u_i.x=6", "--csv", "-"];
     let output = done(&arguments);
     assert_eq!(code(&output), 3, "{}", words(&output));
-    assert!(
-        words(&output).contains("a toggle: beyond this time there is no position"),
-        "{}",
-        words(&output)
-    );
+    assert!(words(&output).contains("no position exists beyond the toggle"), "{}", words(&output));
     let rows = String::from_utf8(output.stdout).expect("text").lines().count();
     assert!((20..60).contains(&rows), "{rows} rows");
 }
@@ -116,7 +112,8 @@ fn files_that_are_missing_or_none_are_told() {
     // Members that a later format has are no mistakes: the format is what is wrong.
     let mut data = four_bar();
     (data["format"], data["bodies"][0]["colour"]) = (json!(99), json!("red"));
-    let told = "later.json cannot be read as a mechanism: it is of format 99, which a newer Kin has written; Kin ";
+    let told =
+        "later.json cannot be read as a mechanism: a newer Kin has written its format 99, but Kin ";
     fails(&["check", &file("later.json", &data.to_string())], 5, told);
     fails(
         &["run", m, "--times", "0:1:3", "--csv", "/dev/null/motion.csv"],
@@ -131,7 +128,7 @@ fn files_that_are_missing_or_none_are_told() {
     );
     let text = std::fs::read_to_string(m).expect("readable");
     let text = text.replacen("\"u_i\":", "\"u_i\": [5.0, 5.0], \"u_i\":", 1);
-    fails(&["check", &file("key_twice.json", &text)], 5, "the key `u_i` stands twice");
+    fails(&["check", &file("key_twice.json", &text)], 5, "the key `u_i` appears twice");
     let twice = file("twice.csv", "O.u_i.x,O.u_i.x\n0.1,0.2\n");
     fails(&["sweep", m, &twice, "--times", "0:1:3"], 5, "its first line names `O.u_i.x` twice");
     let cases = file("none.csv", "O.u_i.x\n0.1\nblue\n");
@@ -152,7 +149,7 @@ fn a_mistake_in_the_standard_input_is_told_as_such() {
     let output = fed(&["check", "-"], "{");
     assert_eq!(code(&output), 5);
     assert!(
-        words(&output).contains("the standard input cannot be read as a mechanism"),
+        words(&output).contains("standard input cannot be read as a mechanism"),
         "{}",
         words(&output)
     );

@@ -94,7 +94,9 @@ fn a_file_of_ondsel_becomes_a_mechanism_that_runs() {
     assert_eq!(code(&imported), 0, "{}", words(&imported));
     let told = words(&imported);
     assert!(
-        told.contains("CurveCurveContact `cam` is left out: joints of this kind are not read"),
+        told.contains(
+            "Kin leaves out CurveCurveContact `cam`: Kin does not read joints of this kind"
+        ),
         "{told}"
     );
     assert!(told.contains("its times: --times 0:1:101"), "{told}");
@@ -110,7 +112,7 @@ fn a_file_that_is_none_is_told_with_its_line() {
     assert_eq!(code(&spoilt), 5);
     let told = words(&spoilt);
     assert!(
-        told.contains("the standard input: line ") && told.contains("`speed` is not known"),
+        told.contains("standard input: line ") && told.contains("`speed` is not known"),
         "{told}"
     );
     let none = done(&["import", "no such file.asmt"]);

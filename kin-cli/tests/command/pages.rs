@@ -116,8 +116,8 @@ fn the_page_of_a_run_that_ended_early_says_why() {
     assert_eq!(code, Some(3));
     let note = html.split_once("<aside id=\"ended\" role=\"note\">").expect("a note").1;
     let note = note.split_once("</aside>").expect("its end").0;
-    assert!(note.contains("up to t = 0.38889 s, of 1 s that were asked for"), "{note}");
-    assert!(note.contains("a toggle: beyond this time there is no position"), "{note}");
+    assert!(note.contains("up to t = 0.38889 s, of 1 s"), "{note}");
+    assert!(note.contains("no position exists beyond the toggle"), "{note}");
     // The note itself says up to when the page shows the motion: once.
     assert!(!note.contains("motion up to") && !note.contains("error.motion"), "{note}");
     assert!(html.contains("\"frames\":36,"), "the page has the times that were reached");

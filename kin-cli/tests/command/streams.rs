@@ -64,7 +64,7 @@ fn a_full_disk_is_told() {
     let arguments = ["run", &example("04_four_bar"), "--times", "0:1:361", "--csv", "-"];
     let output = kin(&arguments).stdout(full).stderr(Stdio::piped()).output().expect("kin runs");
     assert_eq!(code(&output), 5);
-    assert!(words(&output).contains("cannot write to the standard output"), "{}", words(&output));
+    assert!(words(&output).contains("cannot write to standard output"), "{}", words(&output));
 }
 
 /// Progress is for terminals: nothing of it in a file.

@@ -75,7 +75,7 @@ fn a_case_that_fails_is_a_row_that_says_why() {
         whole[1..].iter().partition(|row| row.contains(",done,"));
     assert!(done.len() > 20 && failed.len() > 5, "{failed:?}");
     assert!(
-        failed.iter().any(|row| row.contains("a toggle: beyond this time there is no position")),
+        failed.iter().any(|row| row.contains("no position exists beyond the toggle")),
         "{failed:?}"
     );
     assert!(failed.iter().all(|row| row.ends_with(",,,,,,,,")), "{failed:?}");

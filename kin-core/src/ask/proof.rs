@@ -228,12 +228,11 @@ impl System {
         let m = self.n_equations();
         let reason = if m != n {
             format!(
-                "it has {m} equations for {n} coordinates, and whether those left over hold exactly is not shown by numbers; leave superfluous ones out \
-                 (`diagnose` names them)"
+                "it has {m} equations for {n} coordinates, and numbers cannot prove that superfluous equations hold exactly. Remove the superfluous equations, which `diagnose` names"
             )
         } else if n > LARGEST {
             format!(
-                "it has {n} coordinates; up to {LARGEST} it is done, with a full inverse of C_q for each piece of a step"
+                "it has {n} coordinates, but Kin proves motions of at most {LARGEST} coordinates"
             )
         } else {
             return Ok(());
@@ -358,7 +357,10 @@ mod tests {
         let prove = |system: System| system.prove(&system.run([0.0]).unwrap());
         assert!(prove(lengths(110)).unwrap().is_complete());
         let error = prove(lengths(401)).unwrap_err().to_string();
-        assert!(error.contains("it has 401 coordinates; up to 400"), "{error}");
+        assert!(
+            error.contains("it has 401 coordinates, but Kin proves motions of at most 400"),
+            "{error}"
+        );
     }
 
     /// Rows of sizes far apart, two of them nearly alike, another one of them without any slope.

@@ -87,15 +87,15 @@ impl<'a> Solver<'a> {
         self
     }
 
-    /// Calls this with the number of times done and of all times: before each step of the
-    /// step-by-step solver, and once a block of times of the compiled program.
+    /// Calls `progress` with the number of times done and of all times: before each step of the
+    /// step-by-step solver, and once for each block of times of the compiled program.
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + 'a) -> Self {
         self.progress = Some(Box::new(progress));
         self
     }
 
-    /// Ends a run with [`Error::Stopped`], which carries the motion so far, soon after this has
-    /// become true.
+    /// Stops a run soon after the flag `stop` becomes true. The run returns [`Error::Stopped`],
+    /// which contains the motion computed so far.
     pub fn stop_when(mut self, stop: &'a AtomicBool) -> Self {
         self.stop = Some(stop);
         self
@@ -155,9 +155,9 @@ impl<'a> Solver<'a> {
         system.noted(newton::run::run(system, times, options, Some(EXPLAIN), watch))
     }
 
-    /// Runs in parts of so many times, for times without end. `keep` receives one part after the
-    /// other, each a motion like any other. Memory is that of one part. The times may come from any
-    /// iterator.
+    /// Runs in parts of `size` times each, for times without end. `keep` receives one part after
+    /// the other; each part is a motion like any other. The run needs the memory of one part only.
+    /// The times may come from any iterator.
     ///
     /// By default the step-by-step solver computes all times, and all numbers equal those of
     /// [`System::run`] with [`crate::Engine::StepByStep`] to the last digit. With
@@ -182,8 +182,8 @@ impl<'a> Solver<'a> {
     /// # }
     /// ```
     ///
-    /// A part of no times counts as one of one. Limits of joints are checked from the last time of
-    /// the part before on. Angles over many turns are counted from the beginning of each part.
+    /// A `size` of 0 counts as 1. Kin checks limits of joints from the last time of the part before
+    /// on, and counts angles over many turns from the beginning of each part.
     ///
     /// Errors: those of a run, which carry the part under way; those of `keep`, which end the run.
     pub fn run_in_parts(

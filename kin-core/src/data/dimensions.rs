@@ -45,8 +45,7 @@ pub struct DimensionData {
 }
 
 fn too_long() -> Error {
-    let reason =
-        "an expression of them is too long to be written; give parts of it a name of their own";
+    let reason = "an expression of them is too long to write. Give names to its parts";
     Error::Data { place: "dimensions".to_string(), reason: reason.to_string() }
 }
 
@@ -189,8 +188,7 @@ pub(super) fn bound(
             Within::List(k) => own.get(k).cloned(),
             Within::Law(name) => own.into_iter().find(|known| *known == format!("{key}.{name}")),
         };
-        let name =
-            name.ok_or_else(|| format!("its parameter `{key}`: an expression cannot stand there"))?;
+        let name = name.ok_or_else(|| format!("its parameter `{key}` cannot be an expression"))?;
         Ok((name, number))
     };
     let hangs =
@@ -217,7 +215,7 @@ impl Mechanism {
         let read = expression::read(text, &mut |name| self.dimension_named(name))?;
         match read.value() {
             value if value.is_finite() => Ok(read),
-            value => Err(format!("`{text}` is {value}; give numbers of which it is finite")),
+            value => Err(format!("`{text}` is {value}. Give numbers that make it finite")),
         }
     }
 
@@ -335,8 +333,8 @@ fn circle(from: &DimensionData, all: &[DimensionData], made: &Mechanism) -> Erro
     }
     let names: Vec<String> = way.iter().map(|one| format!("`{}`", one.name)).collect();
     let reason = format!(
-        "they hang on one another in a circle, {}; give one of them a number",
-        names.join(" on ")
+        "they depend on one another in a circle, {}. Give one of them a number",
+        names.join(" → ")
     );
     Error::Data { place: "dimensions".to_string(), reason }
 }

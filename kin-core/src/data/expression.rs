@@ -15,7 +15,7 @@ pub(super) fn read(
     let mut reader = Reader { rest: text, depth: 0, named };
     let number = reader.sum().and_then(|number| match reader.peek() {
         None => Ok(number),
-        Some(c) => Err(format!("`{c}` is not understood here")),
+        Some(c) => Err(format!("`{c}` is not allowed here")),
     });
     number.map_err(|reason| format!("the expression `{text}`: {reason}"))
 }
@@ -100,7 +100,7 @@ impl<'a> Reader<'a> {
                 let name = self.word(|c| c.is_alphanumeric() || c == '_' || c == '.');
                 if self.peek() == Some('(') { self.call(name) } else { self.look_up(name) }
             }
-            Some(c) => Err(format!("`{c}` is not understood here")),
+            Some(c) => Err(format!("`{c}` is not allowed here")),
         }
     }
 
@@ -196,11 +196,11 @@ mod tests {
             ("sin(a, a)", "does not take 2 numbers"),
             ("wave(a)", "no function `wave`"),
             ("1.2.3", "`1.2.3` is no number"),
-            ("a b", "`b` is not understood"),
+            ("a b", "`b` is not allowed"),
             ("`a", "closing `"),
             ("", "missing at its end"),
             ("é", "there is no dimension"),
-            ("€", "not understood"),
+            ("€", "not allowed"),
         ] {
             assert!(
                 value(text).is_err_and(|reason| reason.contains(told)),

@@ -357,8 +357,7 @@ impl MechanismData {
             return Ok(());
         };
         let reason = format!(
-            "a file cannot take its equation along, which speaks of {}; put that there, or write the file for programs that have \
-             `{kind}`, by `write_json_for(path, &Registry::new().with::<{kind}>())`",
+            "a file cannot store its equation, which refers to {}. Move that into the equation, or write the file for readers that have `{kind}`, by `write_json_for(path, &Registry::new().with::<{kind}>())`",
             lacking.join(" and of ")
         );
         Err(Error::Data { place: format!("constraint `{name}`"), reason })
@@ -368,7 +367,7 @@ impl MechanismData {
 /// Writes a reason, and why the file has no text of the equation.
 fn without(reason: &str, lacking: &[String]) -> String {
     format!(
-        "{reason}; the file does not carry its equation, which speaks of {}",
+        "{reason}. The file does not contain its equation, which refers to {}",
         lacking.join(" and of ")
     )
 }

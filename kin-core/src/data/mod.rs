@@ -61,10 +61,10 @@ fn is_first() -> u32 {
 fn understood(version: u32, newest: u32) -> std::result::Result<(), String> {
     let known = if newest == 1 { "format 1".to_string() } else { format!("formats 1 to {newest}") };
     match version {
-        0 => Err(format!("format 0 is none: {known} can be read")),
+        0 => Err(format!("format 0 does not exist. Kin reads {known}")),
         _ if version <= newest => Ok(()),
         _ => Err(format!(
-            "it is of format {version}, which a newer Kin has written; Kin {} reads {known}: update it",
+            "a newer Kin has written its format {version}, but Kin {} reads {known}. Update Kin",
             env!("CARGO_PKG_VERSION")
         )),
     }
@@ -196,11 +196,11 @@ mod tests {
     fn all_versions_up_to_the_newest_are_read() {
         let told = |version, newest| understood(version, newest).err().unwrap_or_default();
         assert_eq!([told(1, 1), told(1, 3), told(3, 3)], [const { String::new() }; 3]);
-        assert!(told(2, 1).starts_with("it is of format 2, which a newer Kin has written; Kin "));
+        assert!(told(2, 1).starts_with("a newer Kin has written its format 2, but Kin "));
         assert!(
-            told(2, 1).contains(" reads format 1: update it")
-                && told(4, 3).contains(" reads formats 1 to 3: ")
+            told(2, 1).contains(" reads format 1. Update Kin")
+                && told(4, 3).contains(" reads formats 1 to 3. ")
         );
-        assert_eq!(told(0, 2), "format 0 is none: formats 1 to 2 can be read");
+        assert_eq!(told(0, 2), "format 0 does not exist. Kin reads formats 1 to 2");
     }
 }

@@ -66,7 +66,8 @@ pub struct MotionData {
     /// run.   \[m, rad\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guess: Vec<f64>,
-    /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
+    /// The contradiction of redundant equations as a share of their norms; 0 unless it is
+    /// allowed.   \[-\]
     #[serde(default)]
     pub misfit: f64,
     /// How many times a program has computed, and how often it returned to the step-by-step solver.

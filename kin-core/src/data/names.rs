@@ -12,8 +12,7 @@ pub(super) fn plain<'a>(what: &str, name: &'a str) -> Result<&'a str> {
     };
     let shown: String =
         name.chars().map(|c| if c.is_control() || turns_direction(c) { '·' } else { c }).collect();
-    let reason =
-        format!("its name has the control character {}: leave it out", odd.escape_unicode());
+    let reason = format!("its name has the control character {}. Remove it", odd.escape_unicode());
     Err(Error::Data { place: format!("{what} `{shown}`"), reason })
 }
 

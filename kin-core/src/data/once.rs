@@ -48,9 +48,7 @@ pub(super) fn three<'de, D: Deserializer<'de>>(
 
 fn twice<E: Error>(place: &KeyPath<'_>, key: &str) -> E {
     let holder = if place.is_root() { String::new() } else { format!(" in `{place}`") };
-    E::custom(format!(
-        "the key `{key}` stands twice{holder}: only one of its two values could count, leave the other out"
-    ))
+    E::custom(format!("the key `{key}` appears twice{holder}. Remove one of the two values"))
 }
 
 /// The keys and indices that lead to a value.

@@ -117,7 +117,7 @@ impl Registry {
         match self.constraints.get(&key) {
             Some((_, Origin::Library)) => Err(names_of_the_library(kind)),
             Some((_, known @ Origin::Text(_))) if *known != own => Err(format!(
-                "there are two equations `{kind}` of the same arguments: give one of them another name"
+                "two equations `{kind}` have the same arguments. Give one of them another name"
             )),
             _ => {
                 self.constraints.insert(key, (Arc::new(make), own));
@@ -198,7 +198,7 @@ impl Registry {
                 data.kind
             )),
             (None, None, Some(_)) => Err(format!(
-                "unknown law `{}`; there are {}. A law of one's own stands in the file with its function as `text`",
+                "unknown law `{}`. Use one of {}, or give the function of a user-defined law as `text`",
                 data.kind,
                 self.law_kinds().join(", ")
             )),
@@ -265,7 +265,7 @@ impl Registry {
             true => format!("no `{kind}` is known with these {arguments} arguments"),
             false if self.equations.is_some() || self.law_texts.is_some() => {
                 format!(
-                    "unknown constraint `{kind}`: its equation stands neither in the library nor under `equations`"
+                    "unknown constraint `{kind}`: neither the library nor `equations` in the file has it"
                 )
             }
             false if self.unread => {
@@ -281,9 +281,7 @@ impl Registry {
 }
 
 fn names_of_the_library(kind: &str) -> String {
-    format!(
-        "the library has a `{kind}` of the same arguments, so that files cannot tell them apart: give the equation another name"
-    )
+    format!("the library has a `{kind}` with the same arguments. Give the equation another name")
 }
 
 /// The data of one constraint, as its constructor reads them.

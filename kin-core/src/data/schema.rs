@@ -35,7 +35,7 @@ pub fn schema(registry: &Registry) -> Value {
                 ("mass", text("The word for the unit of mass, such as kg.")),
             ]),
             "equations": {
-                "description": "Equations of constraints of one's own, as text in the language of `#[constraint]`.",
+                "description": "User-defined equations of constraints, as text in the language of `#[constraint]`.",
                 "type": "array", "items": { "type": "string" },
             },
             "dimensions": list("dimension", "Named dimensions, which other numbers may be expressions of."),
@@ -102,7 +102,7 @@ fn body() -> Value {
             (
                 "between",
                 json!({
-                    "description": "The points that a spatial body is drawn between, for a guess that hangs on dimensions.",
+                    "description": "The points that a spatial body is drawn between, for a guess that depends on dimensions.",
                     "type": ["array", "null"], "minItems": 2, "maxItems": 2,
                     "items": { "type": "array", "items": named("number"), "minItems": 3, "maxItems": 3 },
                 }),
@@ -110,7 +110,7 @@ fn body() -> Value {
             (
                 "facing",
                 json!({
-                    "description": "Where a spatial body is, and the components of one or two directions that it faces, for a guess that hangs on dimensions.",
+                    "description": "Where a spatial body is, and the components of one or two directions that it faces, for a guess that depends on dimensions.",
                     "type": ["array", "null"], "items": named("number"), "minItems": 6, "maxItems": 9,
                 }),
             ),
@@ -128,7 +128,7 @@ fn dimension() -> Value {
     let ends =
         json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
     object(
-        "A named number that others hang on.",
+        "A named number on which others depend.",
         &["name", "value"],
         &[
             ("name", text("Its name.")),
@@ -142,7 +142,7 @@ fn dimension() -> Value {
             ),
             (
                 "clearance",
-                json!({ "type": ["string", "null"], "description": "The clearance that it is one of two dimensions of." }),
+                json!({ "type": ["string", "null"], "description": "The clearance to which this dimension belongs." }),
             ),
         ],
     )
@@ -309,7 +309,7 @@ fn constraint(registry: &Registry) -> Value {
             (
                 "lacking",
                 json!({
-                    "description": "What its text speaks of and the file does not carry.",
+                    "description": "What its text refers to and the file does not contain.",
                     "type": "array", "items": { "type": "string" },
                 }),
             ),

@@ -65,7 +65,7 @@ impl<'a> Prepared<'a> {
                 let by = names.first().map_or("", String::as_str);
                 NoDerivative::error(
                     by,
-                    format!("of `{}` no such derivative is known: {reason}", block.name),
+                    format!("Kin knows no such derivative of `{}`: {reason}", block.name),
                 )
             })?;
             blocks.push(equation);

@@ -71,7 +71,7 @@ impl Hangs {
             .formula(|table, _, _| table.formula().parameters.iter().position(|own| *own == known));
         Ok(match number.flatten() {
             Some(k) if equation.foreign.contains(&k) => {
-                return Err(no("a function of yours, which only rustc can read, is asked for it"));
+                return Err(no("it goes into a user-defined function that only rustc can read"));
             }
             Some(k) if !equation.reads(k) => None,
             Some(k) => Some(Hangs::Parameter(k)),
@@ -79,13 +79,13 @@ impl Hangs {
                 Some((number, law)) => {
                     let name = name.split_once('.').map_or(name, |(_, name)| name);
                     let by = law.by_parameter(name);
-                    let by = by.ok_or_else(|| no("how its law depends on it is not known"))?;
+                    let by = by.ok_or_else(|| no("Kin does not know how its law depends on it"))?;
                     Some(Hangs::Law { number, by })
                 }
                 None if equation.is_read() => None,
                 None => {
                     return Err(no(
-                        "a function of yours, which only rustc can read, may be asked for it",
+                        "it may go into a user-defined function that only rustc can read",
                     ));
                 }
             },

@@ -37,9 +37,9 @@ pub(super) struct Call {
     pub x: Node,
 }
 
-/// The reason why an equation has no derivatives by parameters.
-const MOVING: &str = "a function that only rustc can read is asked for something that moves";
-const EMPTY: &str = "its equation is not known as a formula";
+/// Why an equation has no derivatives by parameters.
+const MOVING: &str = "a function that only rustc can read depends on something that moves";
+const EMPTY: &str = "Kin does not know its equation as a formula";
 
 impl Equation {
     /// Differentiates a formula with this number of columns.

@@ -88,7 +88,8 @@ impl Sensitivities<'_> {
             if t.is_finite() && second.abs() > f64::EPSILON * size {
                 return Ok(ExtremeSensitivity { name: by.name, t, value });
             }
-            let reason = "the second rate vanishes at the extreme too: its time has no derivative";
+            let reason =
+                "the second rate is also zero at the extreme, so its time has no derivative";
             Err(NoDerivative::error(&by.name, reason))
         };
         there.each(what)?.into_iter().map(found).collect()
@@ -97,8 +98,8 @@ impl Sensitivities<'_> {
     /// Returns the derivatives of the difference of two extremes of a measure, first minus second,
     /// by each parameter.
     ///
-    /// The difference of the values is a stroke or a swing, that of the times the time between dead
-    /// centres.
+    /// The difference of the values is a stroke or a swing. The difference of the times is the time
+    /// between dead centres.
     ///
     /// Errors: those of [`Sensitivities::extreme`].
     pub fn between(
@@ -156,8 +157,7 @@ fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> Measu
 pub(super) fn refuse_own(system: &System, what: &dyn Measure, by: &str) -> Result<()> {
     let Some(place) = what.name().and_then(|name| system.place_of(name)) else { return Ok(()) };
     if system.moving_with(by)?.iter().any(|moved| moved.block == place.block) {
-        let reason = "the measure is one of the joint whose parameter it is, and may read it itself; ask for a \
-                      coordinate or a point instead";
+        let reason = "the measure belongs to the joint with this parameter and may depend on it directly. Use a coordinate or a point instead";
         return Err(NoDerivative::error(by, reason));
     }
     Ok(())

@@ -109,7 +109,7 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
         let (value, weights) = (self.cost)(y);
         if weights.len() != self.times.len() {
             return Err(Error::WrongLength {
-                what: "list of weights of an objective, one for each time".to_string(),
+                what: "list of weights of an objective (one for each time)".to_string(),
                 expected: self.times.len(),
                 found: weights.len(),
             });

@@ -113,7 +113,7 @@ impl Sensitivities<'_> {
     /// Returns the derivatives by one parameter. Errors: a name that was not requested.
     pub fn by(&self, name: &str) -> Result<&Sensitivity> {
         self.all.iter().find(|one| one.name == name).ok_or_else(|| Error::UnknownName {
-            what: "parameter among those that were asked for",
+            what: "parameter among the requested ones",
             name: name.to_string(),
             known: self.all.iter().map(|one| one.name.clone()).collect(),
         })

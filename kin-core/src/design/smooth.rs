@@ -30,8 +30,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
         return Err(NoDerivative::error(
             by,
             format!(
-                "the motion meets a singular position at t = {t} {s}, and beyond it another value may take \
-                 another branch; ask a motion that ends before it"
+                "the motion passes a singular position at t = {t} {s}, beyond which another value may take another branch. Use a motion that ends before it"
             ),
         ));
     }
@@ -71,7 +70,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
             });
         }
         if let Some(law) = broken {
-            let reason = format!("at t = {t} {s} the law {law} has a break; ask other times");
+            let reason = format!("at t = {t} {s} the law {law} has a break. Choose other times");
             return Err(NoDerivative::error(by, reason));
         }
     }
@@ -104,7 +103,10 @@ fn kink_within(motion: &Motion, (t, step): (f64, f64), by: &str) -> Result<()> {
     let near = SAME * step.max(t.abs());
     let mut kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink);
     let Some(kink) = kinks.find(|kink| (kink.t - t).abs() <= near) else { return Ok(()) };
-    Err(NoDerivative::error(by, format!("at t = {t} {s} there is {}; ask other times", kink.text)))
+    Err(NoDerivative::error(
+        by,
+        format!("at t = {t} {s} there is {}. Choose other times", kink.text),
+    ))
 }
 
 /// Poses near those of a motion, to test equations with switches and jumps.
@@ -172,7 +174,7 @@ impl<'a> Beside<'a> {
             {
                 let s = motion.unit_words().time();
                 let row = system.equations().equation(row);
-                let reason = format!("at t = {t} {s} `{row}` jumps; ask other times");
+                let reason = format!("at t = {t} {s} `{row}` jumps. Choose other times");
                 return Err(NoDerivative::error(by, reason));
             }
         }

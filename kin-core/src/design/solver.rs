@@ -179,8 +179,7 @@ impl<'a> SlopeSolver<'a> {
         }
         let equation = self.system.equations().equation(row);
         let reason = format!(
-            "the mechanism is redundant, and closes at this value of it only: with another one `{equation}` \
-             and the other equations contradict one another. Change it together with what it has to agree with"
+            "the redundant mechanism closes at this value only: with another value `{equation}` contradicts the other equations. Change it together with the dimensions that must match it"
         );
         Err(NoDerivative::error(name, reason))
     }

@@ -75,12 +75,13 @@ impl System {
         let refused = |reason: String| Err(NoDerivative::error(by, reason));
         if toggle.kind != SingularKind::TurningPoint {
             return refused(format!(
-                "at t = {t} {s} there is a change point: its branches cross at these values only, and beside \
-                 them part; ask for the time of a toggle"
+                "at t = {t} {s} there is a change point, whose branches cross at these values only. Request the time of a toggle instead"
             ));
         }
         if self.is_redundant() {
-            return refused("of redundant mechanisms no toggle's time is followed".to_string());
+            return refused(
+                "Kin does not follow the time of a toggle in redundant mechanisms".to_string(),
+            );
         }
         let still = vec![0.0; q.len()];
         let mut pose = Motion::new(self, 1);

@@ -33,7 +33,7 @@ macro_rules! of_two {
         $(#[$doc:meta])* $variant:ident $method:ident $written:literal { value: $value:expr; $($rest:tt)* }
     )*) => {
         $(
-            #[doc = concat!("f64's `", $written, "`, or what stands for it.")]
+            #[doc = concat!("f64's `", $written, "`, or the number that replaces it.")]
             #[inline(always)]
             pub fn $method(x: f64, y: f64) -> f64 {
                 $value(x, y)

@@ -79,7 +79,8 @@ impl<'a> Solver<'a> {
     /// # m.add("motor", drive_angle(arm, Law::ramp(2.0)))?;
     /// # let system = m.build()?;
     /// let motion = system.run(linspace(0.0, 1.0, 101))?;
-    /// let forces = system.solver().options(SolverOptions::new().engine(Engine::StepByStep)).forces(&motion)?;
+    /// let solver = system.solver().options(SolverOptions::new().engine(Engine::StepByStep));
+    /// let forces = solver.forces(&motion)?;
     /// assert_eq!(forces.engine().compiled, 0);
     /// # Ok(())
     /// # }
@@ -95,7 +96,10 @@ impl<'a> Solver<'a> {
             return Err(Error::InvalidParameters {
                 constraint: system.name().to_string(),
                 kind: "forces".to_string(),
-                reason: NOTHING_ACTS.to_string(),
+                reason: format!(
+                    "no body has mass and no load acts. Add masses and loads {}",
+                    Surface::chosen().loads()
+                ),
             });
         }
         let mut forces = Walk::new(system, motion)?.by(self.options.engine)?;
@@ -104,13 +108,9 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// Why a mechanism without loads has no forces.
-const NOTHING_ACTS: &str = "nothing has mass and nothing acts: give its bodies mass or let loads act, in a file under \
-     `masses` and `loads`, in a program by `m.mass(…)` and `m.load(…)`";
-
 /// The λ of a program and of the walk differ by less than this share of the largest one.   \[-\]
 const SAME: f64 = 1e-8;
-const OTHERS: &str = "its program has other forces at the first time than its equations";
+const OTHERS: &str = "the compiled forces differ from those of the equations at the first time";
 
 /// The forces of a motion during their computation.
 struct Walk<'a> {

@@ -95,7 +95,7 @@ impl Forces<'_> {
         let largest = (0..equations.rows).map(size).fold(0.0, f64::max);
         if let Some(row) = rows.iter().find(|row| size(**row) <= NOTHING * largest) {
             let reason = format!(
-                "`{}` is not redundant: left out, nothing holds in its place",
+                "`{}` is not redundant: without it, something is free",
                 equations.equation(*row)
             );
             return Err(invalid(self.system.name(), &reason));

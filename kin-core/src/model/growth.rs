@@ -25,8 +25,8 @@ pub struct Growth {
 /// Forces have no bound at the requested time, which is a singular position.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "t = {}: a singular position, towards which forces grow without bound: {}. Leave this time out: at any \
-     other forces are finite; to drive another body keeps them bounded",
+    "forces have no bound at the singular position at t = {}: they grow like {}. Leave this time out, or drive \
+     another body",
     words::at(*.t, .units), listed(.growth)
 )]
 #[non_exhaustive]
@@ -59,13 +59,13 @@ impl Growth {
 }
 
 impl fmt::Display for Growth {
-    /// "`A`: forces grow without bound towards t = 0.5 s, as |t − t*|^(−1/2)"
+    /// "the forces of `A` grow without bound towards t* = 0.5 s, like |t − t*|^(−1/2)"
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let constraint = &self.constraint;
         let at = words::at(self.t, &self.units);
         write!(
             f,
-            "`{constraint}`: forces grow without bound towards t = {at}, as |t − t*|^({})",
+            "the forces of `{constraint}` grow without bound towards t* = {at}, like |t − t*|^({})",
             self.fraction()
         )
     }
@@ -84,7 +84,7 @@ fn listed(growth: &[Growth]) -> String {
         growth.iter().filter(|one| one.power == power).map(|one| one.constraint.clone()).collect()
     };
     let told = |one: &&Growth| {
-        format!("{} as |t − t*|^({})", words::list(&names(one.power)), one.fraction())
+        format!("|t − t*|^({}) at {}", one.fraction(), words::list(&names(one.power)))
     };
     powers.iter().map(told).collect::<Vec<_>>().join(", ")
 }
@@ -109,10 +109,10 @@ mod tests {
     #[test]
     fn constraints_with_one_power_are_told_together() {
         let all = [growth("A", -0.5), growth("motor", -2.0), growth("B", -0.5)];
-        assert_eq!(listed(&all), "`motor` as |t − t*|^(−2), `A`, `B` as |t − t*|^(−1/2)");
+        assert_eq!(listed(&all), "|t − t*|^(−2) at `motor`, |t − t*|^(−1/2) at `A`, `B`");
         assert_eq!(
             all[0].to_string(),
-            "`A`: forces grow without bound towards t = 0.25 s, as |t − t*|^(−1/2)"
+            "the forces of `A` grow without bound towards t* = 0.25 s, like |t − t*|^(−1/2)"
         );
     }
 }

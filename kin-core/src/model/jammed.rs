@@ -9,8 +9,8 @@ use crate::model::words;
 /// bound, or no solution exists. Beyond that point a driver would have to pull where it pushes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "t = {}: jammed: at {share:.3} of its friction `{constraint}` already needs forces without bound{}. Make the \
-     guide longer, the pin or the coefficient smaller, or drive it closer to the line on which it moves",
+    "friction in `{constraint}` jams the mechanism at t = {}: {share:.3} of this friction already requires infinite \
+     forces{}. Make the guide longer, make the pin or the coefficient smaller, or drive it closer to its line of motion",
     words::at(*.t, .units), driven(.drives)
 )]
 #[non_exhaustive]
@@ -30,9 +30,5 @@ pub struct Jammed {
 }
 
 fn driven(drives: &[String]) -> String {
-    if drives.is_empty() {
-        String::new()
-    } else {
-        format!(", whatever {} gives", words::list(drives))
-    }
+    if drives.is_empty() { String::new() } else { format!(" of {}", words::list(drives)) }
 }

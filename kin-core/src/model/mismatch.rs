@@ -55,7 +55,7 @@ impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "`{}`: its {} route, dual numbers and central differences do not agree at {}:",
+            "the derivatives of `{}` by its {} route, dual numbers and central differences differ at {}:",
             self.kind, self.route, self.place
         )?;
         let width = self
@@ -94,8 +94,8 @@ impl fmt::Display for Mismatch {
         }
         write!(
             f,
-            "  t = {}\n  Derivatives are taken from one side at kinks: look at the state; or the equation reads what is no number of its arguments; \
-             or report the constraint.",
+            "  t = {}\n  At a kink, derivatives are one-sided, so choose another state. \
+             The equation must depend on its arguments alone. Otherwise, report this constraint.",
             self.t
         )
     }

@@ -1,16 +1,16 @@
 //! Forces that equilibrium does not determine.
 
 use crate::model::error::Error;
+use crate::model::error::surface::Surface;
 use crate::model::words;
 
 /// A force is not unique: redundant constraints share it according to their stiffness and play, so
 /// Kin returns no number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "`{constraint}`: {what} is not unique: {} share it, as their play and stiffness would have it. Ask for a sum \
-     that is unique (in a program `forces.sum([…])`) or for shares by a rule (in a program as forces are asked for, of \
-     the command `--least-norm`), or take an equation out of one of them",
-    words::list(.shared)
+    "`{constraint}`: {what} is not unique. {} share it, and only their play and stiffness decide how. {}, \
+     or remove a redundant equation from one of them",
+    words::list(.shared), Surface::chosen().shared_force()
 )]
 #[non_exhaustive]
 pub struct NotUnique {

@@ -66,9 +66,9 @@ pub(super) struct Pivot {
     pub(super) upper: Vec<(usize, Node)>,
 }
 
-/// The reasons why there is no elimination.
-pub(super) const SINGULAR: &str = "its equations are singular where the guess is";
-pub(super) const TANGLED: &str = "too much of it is tied together";
+/// Why there is no elimination.
+pub(super) const SINGULAR: &str = "its equations are singular at the guess";
+pub(super) const TANGLED: &str = "too many of its coordinates depend on one another";
 
 impl<'a> Elimination<'a> {
     /// Chooses the elimination. `slopes` contains the entries of each row of the whole system as

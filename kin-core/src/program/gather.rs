@@ -84,7 +84,7 @@ impl fmt::Display for Refusal {
 
 /// The reason why a constraint without a formula cannot be compiled.
 pub(crate) const UNREAD: &str =
-    "its equation is not known as a formula: it takes the dual route, or is written by hand";
+    "Kin does not know its equation as a formula: it takes the dual route, or is written by hand";
 pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
 
 /// Gathers the equations of a system, with or without the terms of the jerk. Returns an error with

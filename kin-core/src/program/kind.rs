@@ -56,10 +56,9 @@ pub(super) struct KindRow {
     pub third: Option<Node>,
 }
 
-/// The reasons why an equation cannot be read as a graph.
-pub(crate) const FOREIGN: &str =
-    "a function that only rustc can read is asked for something that moves with coordinates";
-const EMPTY: &str = "its equation is not known as a formula";
+/// Why an equation cannot be read as a graph.
+pub(crate) const FOREIGN: &str = "a function that only rustc can read depends on coordinates";
+const EMPTY: &str = "Kin does not know its equation as a formula";
 
 impl Kind {
     /// Differentiates the rows as they are written, with or without the terms of the jerk.

@@ -91,17 +91,20 @@ impl Compiled {
     pub fn summary(&self) -> String {
         let given = self.substituted.len();
         let left = self.unknowns.len();
-        let mut text =
-            format!("{}: {given} of {} coordinates are given by rows", self.name, given + left);
+        let mut text = format!(
+            "{}: {given} of {} coordinates have an explicit equation",
+            self.name,
+            given + left
+        );
         if left > 0 {
             let blocks: Vec<String> = self.blocks.iter().map(usize::to_string).collect();
             text += &format!(
-                ", {left} left to Newton's method in blocks of {}: {}",
+                ", Newton's method solves {left} in blocks of {}: {}",
                 blocks.join(", "),
                 self.unknowns.join(", ")
             );
         }
-        text + &format!("\n  {} steps in {} runs of one kind", self.size[0], self.size[1])
+        text + &format!("\n  {} operations in {} groups", self.size[0], self.size[1])
     }
 }
 

@@ -46,14 +46,14 @@ const THREADS: usize = 256;
 /// # }
 /// ```
 ///
-/// Results come in the order of the cases and do not depend on the number of threads. Of a motion
-/// only what the closure gives back is kept, so memory grows with the results alone.
+/// Results come in the order of the cases and do not depend on the number of threads. The sweep
+/// keeps only what the closure returns, so memory grows with the results alone.
 ///
-/// All cases are computed by one program of the whole mechanism where there can be one and it pays
-/// ([`Engine`](crate::Engine)): what differs from case to case is left free in it, and many times
-/// of a case are computed at once, in two SIMD registers (16 with AVX-512). The program is made
-/// where the system as it is begins, or, if that cannot be assembled, the first case that can: only
-/// then do results hang on which cases there are, by no more than the tolerance of the stop rule.
+/// One program of the whole mechanism computes all cases, where it is possible and faster
+/// ([`Engine`](crate::Engine)). The named values stay free in the program. It computes many times
+/// of a case at once, in two SIMD registers (16 times with AVX-512). Kin compiles the program at
+/// the first position of the system as it is. If that cannot be assembled, Kin takes the first case
+/// that can; only then results depend on the list of cases, within the tolerance of the stop rule.
 /// The motion of a case has the events of a run of that case: limits of joints, kinks.
 pub struct Sweep<'a> {
     system: &'a System,
@@ -68,15 +68,14 @@ pub struct Sweep<'a> {
     stop: Option<&'a AtomicBool>,
 }
 
-/// Tells a run of a system, or what it has come to, what has happened on its way: the room above
-/// finds that.
+/// Adds the events of a run to its motion. The room above finds them.
 type Noted = fn(&System, Result<Motion>) -> Result<Motion>;
 
-/// Told how many cases are done, of how many.
+/// Receives how many cases are done, of how many.
 type Progress<'a> = Box<dyn FnMut(usize, usize) + Send + 'a>;
 
 impl<'a> Sweep<'a> {
-    /// `noted` tells a run of its events.
+    /// `noted` adds the events of a run to its motion.
     pub(crate) fn new(
         system: &'a System,
         names: impl IntoIterator<Item = impl AsRef<str>>,
@@ -101,49 +100,50 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Other options than [`SolverOptions::default`].
+    /// Sets the options; without this call they are [`SolverOptions::default`].
     #[must_use]
     pub fn options(mut self, options: SolverOptions) -> Self {
         self.options = options;
         self
     }
 
-    /// A program computes the times of a case in these lanes; [`Lanes::Off`] turns programs off.
+    /// Sets the lanes in which a program computes the times of a case; [`Lanes::Off`] turns
+    /// programs off.
     #[must_use]
     pub fn lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;
         self
     }
 
-    /// On so many threads of its own, and no more than can have cases, nor than 256. Without it the
-    /// threads are rayon's: one a core, or those of the pool that the sweep is run in.
+    /// Runs on this many separate threads, at most 256 and no more than there are cases for.
+    /// Without this call the sweep uses the threads of rayon: one a core, or those of the pool that
+    /// calls it.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads.max(1));
         self
     }
 
-    /// Calls this with the number of cases done and of all cases, at the start with 0 and then
-    /// every few cases, by one thread at a time and never with less than before.
+    /// Calls `progress` with the number of cases done and of all cases: at the start with 0, then
+    /// every few cases. One thread at a time calls it, and the number never decreases.
     #[must_use]
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + Send + 'a) -> Self {
         self.progress = Mutex::new(Some(Box::new(progress)));
         self
     }
 
-    /// Gives up with [`Error::Stopped`] soon after this has become true.
+    /// Stops the sweep with [`Error::Stopped`] soon after the flag `stop` becomes true.
     #[must_use]
     pub fn stop_when(mut self, stop: &'a AtomicBool) -> Self {
         self.stop = Some(stop);
         self
     }
 
-    /// Runs every case over the times and gives what `keep` makes of each, in the order of the
-    /// cases.
+    /// Runs every case over the times, and returns the results of `keep` in the order of the cases.
     ///
-    /// `keep` is called with the number of the case and its motion, or with the error that ended it
-    /// ([`Error::motion`] holds what was computed before; what is wrong with the mechanism is
-    /// looked for only if [`Sweep::diagnose`] asks), by several threads at once.
+    /// Several threads call `keep` at once, with the number of a case and its motion, or with the
+    /// error that ended the case. [`Error::motion`] contains the motion before the error. The error
+    /// has a diagnosis only if [`Sweep::diagnose`] requests it.
     ///
     /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a
     /// number that is not finite, times that do not only increase or only decrease, options out of

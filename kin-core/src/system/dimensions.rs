@@ -137,7 +137,7 @@ impl System {
         match self.dimension_entry(k) {
             Some(entry) if entry.is_derived => Err(DimensionError::invalid(
                 &entry.name,
-                "it is an expression of others; take those, or make it a dimension of its own",
+                "it is an expression of other dimensions. Use those, or make it a separate dimension",
             )),
             _ => Ok(()),
         }
@@ -168,7 +168,7 @@ impl System {
         let Some(entry) = self.dimension_entry(k) else { return Ok(()) };
         let fail = |reason: String| Err(DimensionError::invalid(&entry.name, reason));
         if !value.is_finite() {
-            return fail(format!("it cannot be {value}; give a finite number"));
+            return fail(format!("it cannot be {value}. Give a finite number"));
         }
         match entry.range.filter(|[from, to]| !(*from <= value && value <= *to)) {
             Some([from, to]) => fail(format!("{value} is beyond its range {from} … {to}")),

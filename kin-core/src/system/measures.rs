@@ -63,13 +63,10 @@ impl System {
         let reason = match known[..] {
             [] => {
                 format!(
-                    "there is no `{name}`: this joint has no measure. Ask for a point, an angle between bodies or a coordinate instead"
+                    "there is no `{name}`: this joint has no measure. Use a point, an angle between bodies or a coordinate instead"
                 )
             }
-            _ => format!(
-                "there is no `{name}`; what can be asked of this joint is {}",
-                known.join(" and ")
-            ),
+            _ => format!("there is no `{name}`. This joint has {}", known.join(" and ")),
         };
         Error::InvalidConstraint {
             constraint: joint.to_string(),

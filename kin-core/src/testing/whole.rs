@@ -49,7 +49,7 @@ fn two_link_manipulator_is_the_closed_form() {
             && motion.iterations()[3..].iter().all(|n| *n == 0)
     );
     assert!(motion.summary().starts_with(
-        "two-link manipulator: 9 coordinates, 9 equations, 2401 times, predictions met the equations"
+        "two-link manipulator: 9 coordinates, 9 equations, 2401 times, predictions satisfied the equations"
     ));
 }
 

@@ -45,8 +45,7 @@ const KINDS: [&str; 20] = [
 ];
 
 /// Why a motion or a limit is left out.
-pub(super) const NO_JOINT: &str =
-    "no joint that is read is the one that it names, or is between its markers";
+pub(super) const NO_JOINT: &str = "Kin reads no joint with its name or between its markers";
 
 /// Axes with a smaller sine between them are parallel.   \[-\]
 const PARALLEL: f64 = 1e-9;
@@ -74,7 +73,7 @@ impl Reading {
     pub fn joint(&mut self, of: &Tree<'_>) -> Result<(), Mistake> {
         let kind = of.text;
         if !KINDS.contains(&kind) {
-            self.leave(of, "joints of this kind are not read", true);
+            self.leave(of, "Kin does not read joints of this kind", true);
             return Ok(());
         }
         let Some([i, j]) = self.markers.of(of)? else {
@@ -167,7 +166,7 @@ impl Reading {
         let is_ground = i.body == SpatialBody::from(self.mechanism.ground());
         let on = if is_ground { "the ground" } else { "one part" };
         (i.body == j.body)
-            .then(|| format!("both of its markers are on {on}, so that it cannot move anything"))
+            .then(|| format!("both of its markers are on {on}, so it cannot move anything"))
     }
 
     /// The joint that a motion or a limit is of: the one that its line `MotionJoint` names, else
@@ -261,7 +260,7 @@ impl Reading {
             "RotationLimit" => "angle",
             "TranslationLimit" => "slide",
             _ => {
-                self.leave(of, "limits of this kind are not read", false);
+                self.leave(of, "Kin does not read limits of this kind", false);
                 return Ok(());
             }
         };

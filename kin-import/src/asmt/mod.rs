@@ -40,7 +40,7 @@ const MOST_TIMES: f64 = 1e6;
 pub fn asmt(text: &str) -> Result<Imported, Mistake> {
     let file = Tree::read(text)?;
     let assembly = file.get("Assembly").ok_or_else(|| {
-        Mistake::at(0, "there is no line `Assembly`: this is no file of OndselSolver (.asmt)")
+        Mistake::at(0, "there is no line `Assembly`, so this is no file of OndselSolver (.asmt)")
     })?;
     let name = assembly.value("Name").map_or("", |(name, _)| name);
     let mut reading = Reading {
@@ -60,7 +60,7 @@ pub fn asmt(text: &str) -> Result<Imported, Mistake> {
         reading.sets(sets)?;
     }
     for force in assembly.all("ForceTorques") {
-        reading.leave(force, "loads of these files are not read", true);
+        reading.leave(force, "Kin does not read loads of these files", true);
     }
     if assembly.get("ConstantGravity").is_some() {
         reading.mechanism.gravity(Vec3::from(assembly.numbers::<3>("ConstantGravity")?));
@@ -94,11 +94,11 @@ impl Reading {
             self.limit(limit)?;
         }
         for other in sets.all("GeneralConstraintSets") {
-            self.leave(other, "general constraints of these files are not read", true);
+            self.leave(other, "Kin does not read general constraints of these files", true);
         }
         let known = ["Joints", "Motions", "Limits", "GeneralConstraintSets"];
         for other in sets.inside.iter().filter(|other| !known.contains(&other.text)) {
-            self.leave(other, "it is not known", true);
+            self.leave(other, "Kin does not know it", true);
         }
         Ok(())
     }

@@ -14,7 +14,7 @@ impl Reading {
     /// Adds a motion.
     pub fn motion(&mut self, of: &Tree<'_>) -> Result<(), Mistake> {
         if !["RotationalMotion", "TranslationalMotion", "GeneralMotion"].contains(&of.text) {
-            self.leave(of, "motions of this kind are not read", true);
+            self.leave(of, "Kin does not read motions of this kind", true);
             return Ok(());
         }
         let Some([i, j]) = self.markers_of(of)? else {
@@ -61,7 +61,7 @@ impl Reading {
         let turns = [law(of, "angIJJ1")?, law(of, "angIJJ2")?, law(of, "angIJJ3")?];
         let order = of.numbers::<3>("RotationOrder")?;
         let Some((frame, sign, places)) = ordered(order) else {
-            self.leave(of, "an order of turns with an axis twice is not read", true);
+            self.leave(of, "Kin does not read an order of turns that has an axis twice", true);
             return Ok(());
         };
         // The same motion between frames whose z, y and x are the first, second and third axis.

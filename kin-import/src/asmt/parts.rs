@@ -90,7 +90,7 @@ fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
     Err(Mistake::at(
         line,
         format!(
-            "this is no rotation matrix: its rows miss length 1 and right angles by {worst:.1e}"
+            "this is no rotation matrix: its rows deviate from length 1 and right angles by {worst:.1e}"
         ),
     ))
 }
@@ -175,9 +175,9 @@ impl Reading {
     /// Curves that contacts run on matter; what a part looks like does not.
     fn shapes(&mut self, of: &Tree<'_>) {
         for (text, reason, matters) in [
-            ("RefCurves", "curves are not read", true),
-            ("RefSurfaces", "surfaces are not read", true),
-            ("FeatureOrder", "shapes are not read", false),
+            ("RefCurves", "Kin does not read curves", true),
+            ("RefSurfaces", "Kin does not read surfaces", true),
+            ("FeatureOrder", "Kin does not read shapes", false),
         ] {
             if let Some(shapes) = of.get(text).filter(|shapes| !shapes.inside.is_empty()) {
                 self.leave(shapes, reason, matters);

@@ -42,7 +42,7 @@ fn a_joint_without_a_name_is_read_and_called_after_its_line() {
     let whole = text(LAW, "");
     let (left_out, q) = read(&changed(&whole, "\t\t\t\t\tJ2\n", "\t\t\t\t\t\n"));
     let [told] = &left_out[..] else { panic!("{left_out:?}") };
-    assert!(told.contains("the name of RevoluteJoint is left out: it is empty"), "{told}");
+    assert!(told.contains("Kin leaves out the name of RevoluteJoint: it is empty"), "{told}");
     let line = told.trim_start_matches("line ").split(':').next().expect("a line");
     assert!(told.contains(&format!("`RevoluteJoint at line {line}`")), "{told}");
     assert_eq!(q, read(&whole).1);
@@ -74,7 +74,9 @@ fn a_motion_of_no_joint_goes_by_its_markers_or_is_left_out_by_name() {
         let [left] = &read.left_out[..] else { panic!("{:?}", read.left_out) };
         assert!(
             left.matters
-                && left.to_string().contains("RotationalMotion `motor` is left out: no joint")
+                && left
+                    .to_string()
+                    .contains("Kin leaves out RotationalMotion `motor`: Kin reads no joint")
         );
         assert!(
             read.mechanism.build().expect("a system").run([0.0]).is_err(),
@@ -89,7 +91,7 @@ fn a_limit_of_no_joint_is_left_out_by_name() {
     let named = "\t\t\t\tMotionJoint\n\t\t\t\t\t/askew/J4\n";
     let (left_out, q) = read(&changed(&whole, named, "\t\t\t\tMotionJoint\n\t\t\t\t\t\n"));
     assert!(
-        left_out.len() == 1 && left_out[0].contains("TranslationLimit `end` is left out"),
+        left_out.len() == 1 && left_out[0].contains("Kin leaves out TranslationLimit `end`"),
         "{left_out:?}"
     );
     assert_eq!(q, read(&whole).1);
@@ -104,11 +106,9 @@ fn a_joint_between_two_markers_of_one_body_is_left_out_by_name() {
         for kind in ["PlanarJoint", "RevoluteJoint", "GearJoint", "FixedJoint"] {
             let (left_out, q) = read(&text(LAW, &joint(kind, "mate", i, j)));
             let [told] = &left_out[..] else { panic!("{left_out:?}") };
-            assert!(
-                told.contains(&format!(
-                    "{kind} `mate` is left out: both of its markers are on {on}"
-                ))
-            );
+            assert!(told.contains(&format!(
+                "Kin leaves out {kind} `mate`: both of its markers are on {on}"
+            )));
             assert_eq!(q, read(&text(LAW, "")).1);
         }
     }
@@ -117,6 +117,6 @@ fn a_joint_between_two_markers_of_one_body_is_left_out_by_name() {
     let (left_out, _) = read(&text(LAW, half));
     assert!(
         left_out.len() == 1
-            && left_out[0].contains("RevoluteJoint `half` is left out: it does not name")
+            && left_out[0].contains("Kin leaves out RevoluteJoint `half`: it does not name")
     );
 }

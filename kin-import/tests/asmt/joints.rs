@@ -183,7 +183,7 @@ fn joints_whose_numbers_make_no_sense_are_left_out_by_name() {
         (kind("AngleJoint", free, Alike), "its axes are parallel"),
         (kind("ConstantVelocityJoint", free, Alike), "z of its markers do not oppose"),
         (kind("SphSphJoint", free, Alike), "its distance is zero"),
-        (kind("NoRotationJoint", free, Alike), "joints of this kind are not read"),
+        (kind("NoRotationJoint", free, Alike), "Kin does not read joints of this kind"),
     ] {
         let name = of.name;
         let told = told(of);

@@ -136,7 +136,9 @@ fn what_is_left_out_is_told_by_name() {
     assert!(left_out[0].matters);
     let told = left_out[0].to_string();
     assert!(
-        told.contains("CurveCurveContact `cam` is left out: joints of this kind are not read"),
+        told.contains(
+            "Kin leaves out CurveCurveContact `cam`: Kin does not read joints of this kind"
+        ),
         "{told}"
     );
     assert!(told.starts_with("line "), "{told}");

@@ -78,7 +78,7 @@ impl Reader {
         };
         self.each(Value::Choice(all), index, &mut |reader, k| {
             let Value::Integer(k, _) = k else {
-                return Err(Unreadable::new(&index.index, "an index that is not known here"));
+                return Err(Unreadable::new(&index.index, "an unknown index"));
             };
             let place = usize::try_from(k).ok().map(|k| whole.index(k));
             let put = place.and_then(|place| reader.put_at(&place, value.clone(), index));

@@ -335,7 +335,7 @@ impl Call<'_> {
 /// Returns the message for a call of a value that is no function, with a suggestion.
 fn not_called(value: &Value, name: &str) -> String {
     match value {
-        Value::Law(_) => format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
+        Value::Law(_) => format!("`{name}` is a Law: get a value with `{name}.at(x)`"),
         Value::Scalar(_) => {
             format!(
                 "`{name}` is a number, which cannot be called; a product is written `{name} * x`"

@@ -103,10 +103,7 @@ impl Reader {
             }
             (Value::Law(_), Shape::Scalar) => {
                 let name = at.to_token_stream();
-                self.mistake(
-                    at,
-                    format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`"),
-                )
+                self.mistake(at, format!("`{name}` is a Law: get a value with `{name}.at(x)`"))
             }
             (Value::Euler(_), Shape::Vector(_)) => {
                 self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)")
@@ -217,7 +214,7 @@ impl Reader {
                 } else {
                     format!("{name} as f64")
                 };
-                self.mistake(&name, format!("`{name}` is a `{ty}`; a number of it is `{cure}`"))
+                self.mistake(&name, format!("`{name}` is a `{ty}`; convert it by `{cure}`"))
             }
             template => {
                 let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()));
@@ -291,13 +288,13 @@ impl Reader {
             Value::Opaque(template) if template.has_choice() => {
                 return Err(Unreadable::new(
                     at,
-                    "one of two values of unknown type handed to a function of your own",
+                    "one of two values of unknown type passed to a user-defined function",
                 ));
             }
             Value::Opaque(template) | Value::Law(template) => template,
             Value::Reference(inner) => Template::Reference(Box::new(self.template(*inner, at)?)),
             Value::Place(_) => {
-                return Err(Unreadable::new(at, "`&mut` handed to a function of your own"));
+                return Err(Unreadable::new(at, "`&mut` passed to a user-defined function"));
             }
             Value::Adt(adt) if self.own.is_type(&adt.type_name()) => {
                 return Err(Unreadable::new(at, "a value of a type that is declared in the body"));
@@ -327,7 +324,7 @@ impl Reader {
             other => {
                 return Err(Unreadable::new(
                     at,
-                    format!("{} handed to a function of your own", other.name()),
+                    format!("{} passed to a user-defined function", other.name()),
                 ));
             }
         })

@@ -150,7 +150,7 @@ impl Reader {
                 Some(true) => all.push(value),
                 Some(false) => return Ok(all),
                 None => {
-                    let what = "a loop over something whose length is not known here";
+                    let what = "a loop over something of unknown length";
                     return Err(Unreadable::new(at, what));
                 }
             }

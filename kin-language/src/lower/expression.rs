@@ -195,14 +195,14 @@ impl Reader {
             return match self.at_place(&place) {
                 Some(Value::Place(inner)) => Ok(Value::Place(inner)),
                 Some(Value::Opaque(_)) | None => {
-                    Err(Unreadable::new(word, "`&mut` of what is not known here"))
+                    Err(Unreadable::new(word, "`&mut` of an unknown value"))
                 }
                 Some(_) => Ok(Value::Place(place)),
             };
         }
         match self.expression(of)? {
             Value::Opaque(_) | Value::Choice(_) => {
-                Err(Unreadable::new(word, "`&mut` of what is not known here"))
+                Err(Unreadable::new(word, "`&mut` of an unknown value"))
             }
             value => {
                 let slot = self.store.declare(value);
@@ -266,7 +266,7 @@ impl Reader {
             {
                 Ok(Value::Array(vec![value; n as usize]))
             }
-            _ => Err(Unreadable::new(length, "an array whose length is not known here")),
+            _ => Err(Unreadable::new(length, "an array of unknown length")),
         }
     }
 
@@ -341,7 +341,7 @@ impl Reader {
         let (from, to, ty) = match (self.expression(start)?, self.expression(end)?) {
             (Value::Integer(a, x), Value::Integer(b, y)) => (a, b, x.or(y)),
             (Value::Poison, _) | (_, Value::Poison) => return Ok(Value::Poison),
-            _ => return Err(Unreadable::new(range, "a range whose bounds are not known here")),
+            _ => return Err(Unreadable::new(range, "a range with unknown bounds")),
         };
         let to = if matches!(range.limits, syn::RangeLimits::Closed(_)) {
             to.saturating_add(1)
@@ -394,7 +394,7 @@ fn field_cure(base: &Value, name: &str) -> &'static str {
         (Value::Vector(v), _) if v.len() == 2 => "; it has `x` and `y`",
         (Value::Vector(_), _) => "; it has `x`, `y` and `z`",
         (Value::Euler(_), _) => "; it has `e0`, `e1`, `e2` and `e3`",
-        (Value::Law(_), _) => "; ask it for a value with `.at(x)`",
+        (Value::Law(_), _) => "; get a value with `.at(x)`",
         _ => "",
     }
 }

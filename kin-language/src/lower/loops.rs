@@ -89,7 +89,7 @@ impl Reader {
                 return Err(Unreadable::new(at, "a loop this long"));
             }
             if open > MOST_OPEN_TURNS {
-                return Err(Unreadable::new(at, "a loop whose end is not known here"));
+                return Err(Unreadable::new(at, "a loop with an unknown end"));
             }
         }
         self.exit(Value::unit(), at)
@@ -179,9 +179,7 @@ impl Reader {
                     Ok(Some(all))
                 }
                 Some(inner) => self.elements(inner, at),
-                None => {
-                    Err(Unreadable::new(at, "a loop over something whose length is not known here"))
-                }
+                None => Err(Unreadable::new(at, "a loop over something of unknown length")),
             },
             Value::Array(all) | Value::Iterator(all) => Ok(Some(all)),
             Value::Opaque(ref template) if self.integers_of(template).is_some() => {
@@ -198,14 +196,12 @@ impl Reader {
             | Value::Never
             | Value::Choice(_)
             | Value::Left
-            | Value::Adt(_) => {
-                Err(Unreadable::new(at, "a loop over something whose length is not known here"))
-            }
+            | Value::Adt(_) => Err(Unreadable::new(at, "a loop over something of unknown length")),
             other => {
                 self.mistake(
                     at,
                     format!(
-                        "this goes over a range or an array, but the value is {}",
+                        "this loop needs a range or an array, but the value is {}",
                         other.name()
                     ),
                 );

@@ -336,7 +336,7 @@ impl Reader {
             let name = crate::error::tidy(&place.to_token_stream().to_string());
             let text = match value {
                 Value::Law(_) => {
-                    format!("`{name}` is a Law: ask it for a value with `{name}.at(x)`")
+                    format!("`{name}` is a Law: get a value with `{name}.at(x)`")
                 }
                 Value::Planar(_) | Value::Spatial(_) => {
                     format!(

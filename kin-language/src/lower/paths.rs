@@ -44,7 +44,7 @@ impl Reader {
 
     /// Reads `std::mem::swap(&mut a, &mut b)`, and `replace` and `take` of the same module.
     pub fn exchange(&mut self, name: &str, arguments: Vec<Value>, call: &Call) -> Read {
-        let unreadable = || Unreadable::new(call.path, "an exchange of what is not known here");
+        let unreadable = || Unreadable::new(call.path, "an exchange of unknown values");
         let (Some(Value::Place(a)), second) = (arguments.first(), arguments.get(1)) else {
             return Err(unreadable());
         };

@@ -112,7 +112,7 @@ impl Reader {
                 format!("row `{}`", constant.join("`, `"))
             };
             let text = format!(
-                "{which} depends on no coordinate, so nothing can be solved for: use a body or a `Coord` in it{}",
+                "{which} depends on no coordinate, so Kin cannot solve it: use a body or a `Coord` in it{}",
                 alias_cure(source)
             );
             match place.or(tail) {
@@ -128,7 +128,7 @@ fn alias_cure(source: &ConstraintFn) -> String {
     let other = source.arguments.iter().find(|a| a.kind == crate::parse::Kind::Other);
     other.map_or(String::new(), |a| {
         format!(
-            " (`{}: {}` is taken for a parameter; types are read by name, not through aliases)",
+            " (`{}: {}` is a parameter here, because Kin reads types by name, not through aliases)",
             a.name,
             a.ty.to_token_stream()
         )

@@ -17,9 +17,10 @@ pub const PERHAPS: &str = "this variable has a value in some branches only: give
 
 /// The message for `f64::from(k)` of a wide integer.
 pub const WIDE: &str =
-    "a number is made of an `i32` or a `u32` so: of a wider integer `k` it is `k as f64`";
+    "`f64::from` takes an `i32` or a `u32`; convert a wider integer `k` by `k as f64`";
 
-const GOES_ON: &str = "behind `else` there is no value to go on with: leave by `return`, `break`, `continue` or `panic!`";
+const GOES_ON: &str =
+    "after `else` the function needs a way out: `return`, `break`, `continue` or `panic!`";
 
 impl Reader {
     /// Reports a mistake in a text. For a program the function returns `None`, because rustc
@@ -100,7 +101,10 @@ impl Reader {
         if (last.guard.is_some() || is_narrow(&last.pat))
             && self.graph.truth(condition) != Some(true)
         {
-            self.told_by_rustc(&branch.expr, "this `match` may find no arm: end it with `_ => …`");
+            self.told_by_rustc(
+                &branch.expr,
+                "this `match` may have no matching arm: end it with `_ => …`",
+            );
         }
     }
 
@@ -112,7 +116,7 @@ impl Reader {
         let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
         self.told_by_rustc(
             label,
-            &format!("no loop around this is called `{label}`: known here: {known}"),
+            &format!("no loop around this has the label `{label}`; known labels: {known}"),
         )
     }
 

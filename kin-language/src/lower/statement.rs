@@ -90,7 +90,7 @@ impl Reader {
             Item::Impl(_) if !self.own.take(item, depth) => {
                 return Err(Unreadable::new(item, "an item inside the body"));
             }
-            Item::Macro(_) => return Err(Unreadable::new(item, "a macro of your own")),
+            Item::Macro(_) => return Err(Unreadable::new(item, "a user-defined macro")),
             _ => false,
         };
         let of_types =

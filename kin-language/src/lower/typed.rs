@@ -220,7 +220,7 @@ impl Reader {
     /// Reads `std::array::from_fn(f)` with the length from its type.
     fn generated(&mut self, f: &super::function::Function, ty: &Type, at: &dyn ToTokens) -> Read {
         let Type::Array(array) = ty else {
-            return Err(Unreadable::new(at, "an array whose length is not known here"));
+            return Err(Unreadable::new(at, "an array of unknown length"));
         };
         let length = match literal_length(&array.len) {
             Some(n) => i64::try_from(n).ok(),
@@ -230,7 +230,7 @@ impl Reader {
             },
         };
         let Some(n) = length.filter(|n| (0..=super::MOST_TURNS).contains(n)) else {
-            return Err(Unreadable::new(&array.len, "an array whose length is not known here"));
+            return Err(Unreadable::new(&array.len, "an array of unknown length"));
         };
         let all = (0..n).map(|k| {
             let part = self.apply(f, vec![Value::Integer(k, Some(IntegerType::SIZE))], &[], at)?;

@@ -37,7 +37,7 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     let warn_dual = find("warn_dual");
     if find("lanes").is_some() {
         return Err(mistake(
-            "sweeps run every constraint that the compiler can read in lanes: leave `lanes` out",
+            "sweeps run every readable constraint in lanes already: remove `lanes`",
         ));
     }
     if [symbolic, dual, warn_dual].iter().flatten().count() != words.len() {
@@ -45,7 +45,7 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     }
     let choice = match (dual, symbolic) {
         (Some(_), Some(_)) => {
-            return Err(mistake("`symbolic` and `dual` are the two routes: leave one of them out"));
+            return Err(mistake("`symbolic` and `dual` exclude each other: remove one of them"));
         }
         (Some(word), None) => Choice::Dual(word.span()),
         (None, Some(_)) => Choice::Symbolic,
@@ -53,11 +53,11 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     };
     match (warn_dual, choice) {
         (Some(_), Choice::Dual(_)) => {
-            Err(mistake("`warn_dual` warns of what `dual` asks for: leave one of them out"))
+            Err(mistake("`warn_dual` warns of the route that `dual` requests: remove one of them"))
         }
-        (Some(_), Choice::Symbolic) => Err(mistake(
-            "where `symbolic` stands the dual route is an error: leave `warn_dual` out",
-        )),
+        (Some(_), Choice::Symbolic) => {
+            Err(mistake("with `symbolic` the dual route is an error: remove `warn_dual`"))
+        }
         _ => Ok(Asked { choice, warn_dual: warn_dual.is_some(), lengths, with }),
     }
 }

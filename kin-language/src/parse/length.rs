@@ -36,7 +36,7 @@ pub fn put(
                         let name = &length.ident;
                         mistakes.add(
                         &length.ident,
-                        format!("the columns of C_q are counted here: say what `{name}` is, `#[constraint({name} = 6)]`"),
+                        format!("the macro must know the number of columns of C_q: state the value of `{name}`, `#[constraint({name} = 6)]`"),
                     );
                         let some = [(name.clone(), LitInt::new("1", name.span()))];
                         function
@@ -51,7 +51,7 @@ pub fn put(
             GenericParam::Lifetime(lifetime) => {
                 mistakes.add(
                     lifetime,
-                    "a constraint keeps its parameters: write `'static`, or own them",
+                    "a constraint stores its parameters: write `'static`, or owned types",
                 );
                 let inputs = function.sig.inputs.iter_mut();
                 inputs.for_each(|input| {

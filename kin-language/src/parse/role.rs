@@ -4,14 +4,11 @@
 use super::{ConstraintFn, Kind, Role, Shape};
 
 const FIRST: &str = "a force begins with the length or the angle that it acts along: `x: Coord`";
-const SECOND: &str = "after x there is its rate alone, `rate: Rate`: other coordinates belong to x, whatever \
-     constraint of one row it is";
-const BODY: &str =
-    "a force depends on x, its rate and t: the bodies belong to x, which the constructor takes";
+const SECOND: &str = "after `x` only its rate may follow, `rate: Rate`: other coordinates belong to `x`, which may be any constraint of one row";
+const BODY: &str = "a force depends on `x`, its rate and `t`: the bodies belong to `x`, which the constructor takes";
 const VALUE: &str = "a force along x is one number: return an `f64`";
 
-const RATE: &str = "an equation C(q, t) = 0 reads no rates, Kin differentiates it: a coordinate is a `Coord`, and what \
-     acts by a rate is a `#[force]`";
+const RATE: &str = "an equation C(q, t) = 0 has no rates: write `Coord` for a coordinate, and `#[force]` for a force that depends on a rate";
 
 /// Checks a signature for the role of its function. An argument that the role does not permit is an
 /// error at its type.

@@ -83,10 +83,7 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
     match shape(ty) {
         Some(shape) if shape.is_known() => return Ok(Kind::Numbers(shape)),
         Some(_) => {
-            return Err(syn::Error::new_spanned(
-                ty,
-                "write the type: it says what the argument is",
-            ));
+            return Err(syn::Error::new_spanned(ty, "write the type of the argument"));
         }
         None => {}
     }
@@ -95,7 +92,7 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
         Type::Paren(inner) => kind(&inner.elem),
         Type::Path(path) => named_kind(path),
         Type::Array(array) if last_name(&array.elem).as_deref() == Some("Time") => {
-            Err(syn::Error::new_spanned(ty, "there is one time: write `Time`"))
+            Err(syn::Error::new_spanned(ty, "there is only one time: write `Time`"))
         }
         Type::Array(array) if is_marker(&array.elem) => kinds(array),
         Type::Reference(reference) if is_static(reference) => Ok(Kind::Other),
@@ -124,15 +121,17 @@ fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
         (None, _) => {
             let length = array.len.to_token_stream().to_string();
             let cure = match syn::parse_str::<syn::Ident>(&length) {
-                Ok(name) => format!(", or say what `{name}` is, `#[constraint({name} = 6)]`"),
+                Ok(name) => {
+                    format!(", or state the value of `{name}`, `#[constraint({name} = 6)]`")
+                }
                 Err(_) => String::new(),
             };
             let text = format!(
-                "write the number of {all} as a literal{cure}: the {each} are counted here"
+                "write the number of {all} as a literal{cure}: the macro must count {each}"
             );
             Err(syn::Error::new_spanned(
                 &array.len,
-                text.replace("the columns are", "the columns of C_q are"),
+                text.replace("count columns", "count the columns of C_q"),
             ))
         }
     }
@@ -176,7 +175,7 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Real" => {
             return Err(syn::Error::new_spanned(
                 path,
-                "write `f64`: the macro makes the function generic over dual numbers itself",
+                "write `f64`: the macro makes the function generic over dual numbers",
             ));
         }
         "Self" => {
@@ -198,10 +197,10 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
 
 fn reference_mistake(reference: &syn::TypeReference) -> syn::Error {
     let text = match is_marker(&reference.elem) {
-        true => format!("write `{}`: the state is a value, there is nothing to borrow", last_name(&reference.elem).unwrap_or_default()),
+        true => format!("write `{}`: the state is a value and needs no borrow", last_name(&reference.elem).unwrap_or_default()),
         false => {
-            "a parameter is a field of the constraint, so it is owned: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`), or `&'static` \
-             for what lives as long as the program"
+            "the constraint owns its parameters: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`), or `&'static` \
+             for static data"
                 .into()
         }
     };

@@ -69,7 +69,7 @@ pub fn law_text(source: &LawFn, lowered: &Lowered) -> Option<TokenStream> {
 pub fn unread() -> TokenStream {
     quote! {
         to.put_text(::core::module_path!(), "");
-        to.lacks("a body that takes the dual route, which only its program can read");
+        to.lacks("a body on the dual route, which only rustc can read");
     }
 }
 

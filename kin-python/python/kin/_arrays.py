@@ -44,7 +44,7 @@ def _polyval(p: Any, x: Any) -> Any:
 
 
 def _interp(*_: Any, **__: Any) -> Any:
-    text = "`np.interp` has corners: a table is a law; give the function an argument `table: kin.Law`, and kin.Law.spline(x, y) for it"
+    text = "`np.interp` has corners. Give the function an argument `table: kin.Law`, and pass kin.Law.spline(x, y)"
     _mistakes.at(users_line(), text)
 
 
@@ -70,5 +70,5 @@ def apply(function: Any, args: Any, keywords: Any) -> Any:
     known = KNOWN.get(function)
     if known is None:
         name = getattr(function, "__name__", str(function))
-        _mistakes.at(users_line(), f"`np.{name}` cannot be traced; there are the functions of `kin`")
+        _mistakes.at(users_line(), f"`np.{name}` cannot be traced. Use the functions of `kin`")
     return known(*args, **keywords)

@@ -384,7 +384,7 @@ def _kind(name: str, hint: Any, place: tuple[str, int]) -> tuple[str, Optional[i
             return kind, None
     if hint in _COUNTS:
         return "count", None
-    text = f"`{name}`: a constraint has no arguments of the type {getattr(hint, '__name__', hint)}; there are Planar, "
+    text = f"`{name}`: a constraint has no arguments of the type {getattr(hint, '__name__', hint)}. Use Planar, "
     text += "Spatial, Coord, Time, float, Vec2, Vec3, EulerParameters, Mat2, Mat3, Axis, Law, and int for counts"
     _mistakes.at(place, text)
 

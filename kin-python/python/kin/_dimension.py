@@ -50,7 +50,7 @@ class Dimension(Number):
 
     def __init__(self, text: str, value: float, of: str) -> None:
         if len(text) > _LONGEST:
-            raise DimensionError("an expression of dimensions is too long; give parts of it a name of their own")
+            raise DimensionError("an expression of dimensions is too long. Give names to its parts")
         #: The expression, as mechanism files have it.
         self.text = text
         #: The value that the nominal dimensions give it.
@@ -61,7 +61,7 @@ class Dimension(Number):
         """Text and value of another number; `None` of anything else."""
         if isinstance(other, Dimension):
             if other._of != self._of:
-                text = f"`{self.text}` and `{other.text}` are dimensions of two mechanisms; take both from one"
+                text = f"`{self.text}` and `{other.text}` are dimensions of two mechanisms. Take both from one"
                 raise DimensionError(text)
             return _bracketed(other.text), other.value
         if isinstance(other, np.ndarray) and other.ndim == 0:
@@ -70,7 +70,7 @@ class Dimension(Number):
             return None
         value = float(other)
         if not math.isfinite(value):
-            raise DimensionError(f"`{self.text}` meets {value}; give a finite number")
+            raise DimensionError(f"`{self.text}` meets {value}. Give a finite number")
         return (repr(value) if value >= 0.0 else f"({value!r})"), value
 
     def _made(self, text: str, function: Callable[..., Any], *values: float) -> "Dimension":
@@ -123,7 +123,7 @@ class Dimension(Number):
         return hash(self.value)
 
     def __float__(self) -> float:
-        raise TypeError(f"the dimension `{self.text}` would become a plain number here: write `.value` if that is meant")
+        raise TypeError(f"the dimension `{self.text}` would become a plain number here. Write `.value` if you want its number")
 
     def __round__(self, digits: Any = None) -> Any:
         return round(float(self))
@@ -147,7 +147,7 @@ NumberLike = Union[float, Dimension]
 def quoted(name: str) -> str:
     """A name as it stands in an expression: in backticks unless it is a word."""
     if "`" in name:
-        raise DimensionError(f"the dimension `{name}`: a name without backticks can be told apart in expressions")
+        raise DimensionError(f"the dimension `{name}`: expressions cannot contain a name with backticks. Choose another name")
     return name if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_.]*", name) else f"`{name}`"
 
 
@@ -175,7 +175,7 @@ def written(place: str, mechanism: str, own: str, number: Any) -> Any:
         except (TypeError, ValueError):
             raise TypeError(f"`{place}`: a number or a dimension is needed, not {number!r}") from None
     if number._of != own:
-        text = f'`{place}`: a dimension of another mechanism than "{mechanism}"; use what its own `dimension` gave out'
+        text = f'`{place}` has a dimension of another mechanism than "{mechanism}". Use the dimensions of "{mechanism}"'
         error = DimensionError(text)
         error.__dict__.update(mechanism=mechanism, place=place)
         raise error

@@ -46,7 +46,7 @@ class SingularAt(Error):
 
 
 class Toggle(Error):
-    """A toggle: beyond its time `t` there is no position."""
+    """A toggle: no position exists beyond its time `t`."""
 
 
 class CannotFollow(Error):
@@ -94,11 +94,11 @@ class NoCoordinates(Error):
 
 
 class CannotBeProved(Error):
-    """A motion that interval bounds cannot say anything about."""
+    """A motion that Kin cannot prove by interval bounds."""
 
 
 class InvalidConstraint(Error):
-    """A constraint that contradicts itself, or does not know what is asked of it."""
+    """A constraint that contradicts itself, or cannot do what a call requires."""
 
 
 class DuplicateName(Error):
@@ -110,7 +110,7 @@ class EmptyName(Error):
 
 
 class UnknownName(Error):
-    """A name that nothing has; `known` lists the names there are."""
+    """An unknown name; `known` lists the known names."""
 
 
 class InvalidTimes(Error):
@@ -134,7 +134,7 @@ class WrongLength(Error):
 
 
 class Stopped(Error):
-    """A run or sweep that was told to stop."""
+    """A run or sweep that your code stopped."""
 
 
 class Mismatch(Error):
@@ -146,21 +146,21 @@ class NoDerivative(Error):
 
 
 class NotUnique(Error):
-    """A force that redundant constraints share, so that no balance decides it."""
+    """A force that redundant constraints share, so that it is not unique."""
 
 
 class OtherMotion(Error):
-    """A motion of a system in which something was set since: at `t` its `equation` does not hold."""
+    """A motion from before a change of the system: at `t` its `equation` is not satisfied."""
 
 
 class Jammed(Error):
-    """A mechanism that friction holds fast: no finite forces of its drives move it. `constraint` is the joint that holds, `t` the
-    first such time, `share` how much of the friction is enough, `drives` what works against it."""
+    """A mechanism that friction jams: no finite forces of its drives move it. `constraint` is the joint that jams, `t` the
+    first such time, `share` the share of the friction that is enough, `drives` the drives that push."""
 
 
 class Unbounded(Error):
-    """Forces asked for at a singular position, where they have no bound: `t`, and `growth`, for each constraint whose forces grow
-    its name and the power of |t − t*|."""
+    """Forces at a singular position, where they have no bound. `t` is its time; `growth` has the name of each constraint whose
+    forces grow, with the power of |t − t*|."""
 
 
 class OutputNotFinite(Error):
@@ -168,11 +168,11 @@ class OutputNotFinite(Error):
 
 
 class DimensionError(Error):
-    """A named dimension that makes no sense, is of another mechanism, or on which nothing hangs."""
+    """A named dimension that is invalid, unused, or belongs to another mechanism."""
 
 
 class DataError(Error):
-    """Something that cannot be written as data, or data that do not say what they should."""
+    """Something that cannot be written as data, or data that are invalid."""
 
 
 class TableError(Error):

@@ -82,7 +82,7 @@ class Forces:
         if isinstance(sharing, str) and sharing != "least norm":
             raise ValueError(f'`sharing` is "least norm", or the names of equations that hold nothing, not "{sharing}"')
         if sharing is not None and engine != "auto":
-            raise ValueError("`sharing` is of redundant equations, which have no program; leave `engine` out")
+            raise ValueError("`sharing` is for redundant equations, which have no compiled forces. Leave `engine` out")
         self._native = _native.Forces(system, motion._native, engine, sharing == "least norm", names)
         self._system, self._token, self._mechanism = system, token, mechanism
         #: The motion that they belong to.
@@ -140,7 +140,7 @@ class Forces:
         """Force and torque of several constraints together: of redundant ones the sum can be unique where none of them is."""
         names = tuple(constraints)
         if not names:
-            raise ValueError("`sum` needs the name of a constraint at least")
+            raise ValueError("`sum` needs the name of at least one constraint")
         return self._from("constraints", *names)
 
     def on_ground(self) -> "Reaction":
@@ -276,7 +276,7 @@ class BodyWrench:
     def component(self, name: str) -> Quantity:
         """One component by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, …, `T_z` in space.   [N, N m]"""
         if len(name.split()) != 1 or name in ("components", "magnitude", "torque_magnitude"):
-            raise ValueError(f"`{name}` is no component; there are F_x, F_y, F_z, T, T_x, T_y, T_z")
+            raise ValueError(f"`{name}` is no component. Use one of F_x, F_y, F_z, T, T_x, T_y, T_z")
         return self._asked(name)[0]
 
     @property

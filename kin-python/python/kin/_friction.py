@@ -34,7 +34,7 @@ class Friction:
     def length(self, bearing: NumberLike) -> "Friction":
         """The same of a pin whose bearing is so long that it holds bending, by forces at its two ends.   [m]"""
         if not self.is_pin:
-            raise ValueError("the length of a guide is given to `slide`; that of a bearing belongs to a pin")
+            raise ValueError("`slide` takes the length of a guide; the length of a bearing belongs to a pin")
         return Friction(self.coefficient, self.rate, True, (self._sizes[0], bearing))
 
     def _told(self, number: Callable[[Any], Any]) -> tuple[bool, Any, tuple[Any, Any], Any]:

@@ -72,7 +72,7 @@ class Joint:
 
 def foreign(place: str, argument: str, mechanism: str) -> ForeignBody:
     """A body of another mechanism, in Kin's words."""
-    text = f'`{place}`: `{argument}` is not of the mechanism "{mechanism}"; use what its own methods gave out'
+    text = f'`{place}` cannot use `{argument}`, which belongs to another mechanism than "{mechanism}". Use what "{mechanism}" returned'
     return ForeignBody(text)
 
 

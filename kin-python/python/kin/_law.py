@@ -310,7 +310,7 @@ def _number(kind: str, name: str, value: Any) -> NumberLike:
     if isinstance(value, bool) or not isinstance(value, (int, float, np.integer, np.floating)):
         raise TypeError(f"Law.{kind}: `{name}` is a number, not {value!r}")
     if not math.isfinite(value):
-        raise ValueError(f"Law.{kind}: `{name}` is {float(value)}; give a finite number")
+        raise ValueError(f"Law.{kind}: `{name}` is {float(value)}. Give a finite number")
     return float(value)
 
 

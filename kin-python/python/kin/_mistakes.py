@@ -44,7 +44,7 @@ def tracing(trace: Any, name: str, place: Place) -> Iterator[None]:
     try:
         yield
     except RecursionError:
-        at(place, f"`{name}` calls itself without end: a condition cannot end it")
+        at(place, f"`{name}` calls itself without end. A condition on a coordinate cannot end it")
     except ConstraintError:
         raise
     except Exception as error:
@@ -60,7 +60,7 @@ def _caught(trace: Any, name: str) -> None:
     """Raises the first error that the function has caught."""
     if trace.refused:
         first = trace.refused[0]
-        text = f"{str(first).split(': ', 1)[1]}. `{name}` catches this error, and what it does then is another equation: mend the line"
+        text = f"{str(first).split(': ', 1)[1]}. `{name}` catches this error and would become another equation. Correct this line"
         raise _made((first.filename, first.lineno), text) from None
 
 
@@ -74,7 +74,7 @@ def _of_arrays(error: Exception, place: Place) -> None:
             place = (code.co_filename, frame.tb_lineno) if code.co_filename == place[0] else place
             frame = frame.tb_next
         kins = KINS.get(name, name)
-        at(place, f"`np.{name}` of an array that holds plain numbers beside traced ones: write kin.{kins}(…) of the array")
+        at(place, f"`np.{name}` of an array that mixes numbers and coordinates: write kin.{kins}(…) of the array")
 
 
 def _made(place: Place, text: str) -> ConstraintError:
@@ -101,7 +101,7 @@ def key(place: Place) -> NoReturn:
     for node in _around(place):
         if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.In, ast.NotIn)):
             condition(place)
-    at(place, "a coordinate or parameter cannot be looked up in a set or a dictionary, for its value is not known here: "
+    at(place, "a coordinate or parameter cannot be a key of a set or a dictionary, because it has no value yet: "
               "compare it with each key, as in kin.where(x == key, a, b)")
 
 
@@ -111,14 +111,14 @@ def condition(place: Place, is_number: bool = False, is_moving: bool = True) -> 
         if isinstance(node, (ast.If, ast.IfExp)):
             at(place, f"{CONDITION}write kin.where({_joined(node.test, is_number)}, a, b)")
         if isinstance(node, ast.While):
-            at(place, f"{CONDITION}a loop cannot end by `{ast.unparse(node.test)}`; give it a count that is known")
+            at(place, f"{CONDITION}a loop cannot end by `{ast.unparse(node.test)}`. Give the loop a fixed count")
         if isinstance(node, ast.Assert):
             name = "branch" if is_moving else "require"
             at(place, f"{CONDITION}write kin.{name}({_joined(node.test, is_number)}, \"why\")")
         if isinstance(node, ast.Call):
             _of_call(place, node)
         if isinstance(node, ast.Compare) and len(node.ops) == 1 and not isinstance(node.ops[0], (ast.In, ast.NotIn)):
-            at(place, f"{CONDITION}an array is compared here, for which NumPy asks each item: compare item by item, as in "
+            at(place, f"{CONDITION}NumPy cannot compare an array of coordinates: compare each item, as in "
                       "[kin.where(one > 0, a, b) for one in array]")
         if isinstance(node, (ast.BoolOp, ast.Compare, ast.UnaryOp)):
             at(place, f"{CONDITION}write {_joined(node, is_number)}, and kin.where(condition, a, b) to choose by it")
@@ -136,7 +136,7 @@ def _of_call(place: Place, call: ast.Call) -> None:
     function = ast.unparse(call.func)
     name = function.rsplit(".", 1)[-1]
     if name in ("sorted", "sort", "argmax", "argmin", "argsort"):
-        at(place, f"{CONDITION}`{function}` compares, and the order is not known here: choose with kin.where, kin.maximum and kin.minimum")
+        at(place, f"{CONDITION}`{function}` compares, but the order is unknown here: choose with kin.where, kin.maximum and kin.minimum")
     if name not in _COMPARING or function.startswith("kin.") or call.keywords:
         return
     arguments = [ast.unparse(argument) for argument in call.args]
@@ -159,14 +159,14 @@ def plain_number(place: Place) -> NoReturn:
             continue
         arguments = ", ".join(ast.unparse(argument) for argument in node.args)
         kins = KINS.get(name, name)
-        what = f"`{function}` takes plain numbers only, which coordinates and parameters are not here: "
+        what = f"`{function}` takes plain numbers only, and coordinates and parameters have no value yet: "
         if not hasattr(kin, kins):
-            at(place, what + "it has no derivative here; build it from the functions of `kin`")
+            at(place, what + "it has no derivative here. Build it from the functions of `kin`")
         numpys = {name: numpys for numpys, name in KINS.items() if name.startswith("a")}.get(kins, kins)
         if name == "pow":
             numpys = "power"
         at(place, what + f"write kin.{kins}({arguments}) or np.{numpys}({arguments})")
-    at(place, "a coordinate or parameter is no plain number here: use it as it is, without float(…) and the like")
+    at(place, "a coordinate or parameter is no plain number here: use it directly, without float(…)")
 
 
 def count(place: Place) -> NoReturn:
@@ -174,7 +174,7 @@ def count(place: Place) -> NoReturn:
     at(
         place,
         "a coordinate or parameter cannot be a count or an index here: give the argument the type `int`, "
-        "and the function is read for each of its values; the whole part of a number is kin.trunc(x)",
+        "and Kin reads the function for each of its values. The whole part of a number is kin.trunc(x)",
     )
 
 

@@ -163,7 +163,7 @@ class Point:
     def jerk_magnitude(self) -> Any:
         """|jerk|, where the run was asked for it.   [m/s³]"""
         if self.jerk is None:
-            raise AttributeError("the motion holds no jerk: run(times, jerk=True) asks for it")
+            raise AttributeError("the motion has no jerk. Request it by run(times, jerk=True)")
         return np.linalg.norm(self.jerk, axis=1)
 
     def along(self, n: Any) -> Quantity:
@@ -298,7 +298,7 @@ class Motion:
     def qddd(self) -> Any:
         """q⃛, where the run was asked for the jerk (`run(times, jerk=True)`).   [m/s³, rad/s³]"""
         if not self._native.has_jerk():
-            raise AttributeError("the motion holds no jerk: run(times, jerk=True) asks for it")
+            raise AttributeError("the motion has no jerk. Request it by run(times, jerk=True)")
         return self._rows(3)
 
     def _rows(self, which: int) -> Any:
@@ -388,7 +388,7 @@ class Motion:
 
     @property
     def misfit(self) -> float:
-        """By how much of their norms redundant equations contradict one another, where that was allowed (`allowed_misfit`).   [-]"""
+        """The contradiction of redundant equations as a share of their norms; 0 unless `allowed_misfit` allows it.   [-]"""
         return self._native.facts()[2]
 
     @property

@@ -133,14 +133,6 @@ class System:
     def mechanical_advantage(self, motion: Motion, drive: str, output: str) -> _Told: ...
     def prove(self, motion: Motion) -> Any: ...
     def compile(self) -> tuple[str, list[str], list[str], list[int], int]: ...
-    def page(
-        self,
-        motion: Motion,
-        title: Optional[str],
-        traces: list[tuple[str, str, str, list[float]]],
-        forces: Optional[Forces],
-        charts: list[tuple[str, str, list[tuple[str, list[float]]]]],
-    ) -> str: ...
     def picture(self, motion: Motion, t: Optional[float] = None, poses: int = 12) -> str: ...
 
 class Derivatives:
@@ -246,3 +238,12 @@ def sweep(
     threads: Optional[int] = None,
     progress: _Progress = None,
 ) -> tuple[bytes, list[str]]: ...
+
+def page(
+    system: System,
+    motion: Motion,
+    title: Optional[str],
+    traces: list[tuple[str, str, str, list[float]]],
+    forces: Optional[Forces],
+    charts: list[tuple[str, str, list[tuple[str, list[float]]]]],
+) -> str: ...

@@ -192,7 +192,7 @@ class TracedLaw(Operand):
         return self._name
 
     def _told(self, *_: Any) -> Any:
-        text = f"`{self._name}` is a Law: ask it for a value with `{self._name}.at(x)`"
+        text = f"`{self._name}` is a Law: get a value with `{self._name}.at(x)`"
         _mistakes.at(users_line(), text)
 
     def _cure(self, _: str) -> str:
@@ -202,7 +202,7 @@ class TracedLaw(Operand):
         from ._law import Law
 
         if not name.startswith("_") and hasattr(Law, name):
-            _mistakes.at(users_line(), f"`{self._name}.{name}` cannot be traced; there are `{self._name}.at(x)` and `.slope(x)`")
+            _mistakes.at(users_line(), f"`{self._name}.{name}` cannot be traced. Use `{self._name}.at(x)` and `.slope(x)`")
         raise AttributeError(f"`{self._name}` has no attribute `{name}`")
 
     __add__ = __radd__ = __sub__ = __rsub__ = __mul__ = __rmul__ = __truediv__ = __rtruediv__ = _told

@@ -109,7 +109,7 @@ def _kept(one: Kept) -> tuple[str, str]:
     if isinstance(one, str):
         name, space, what = one.rpartition(" ")
         if not space:
-            raise ValueError(f"`{one}` says what is asked but not what is kept of it, such as \"{one} max\"")
+            raise ValueError(f"`{one}` names a measure but not what to keep of it, such as \"{one} max\"")
         return name, what
     name, what = one
     return name, what

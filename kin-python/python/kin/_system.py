@@ -268,7 +268,7 @@ class System:
         points = [(name, *place_of("traces", body, local)) for name, (body, local) in pairs.items()]
         drawn = [self._chart(motion, name, one) for name, one in (charts or {}).items()]
         native = None if forces is None else forces._native
-        return Page(self._native.page(motion._native, title, points, native, drawn))
+        return Page(_native.page(self._native, motion._native, title, points, native, drawn))
 
     def _chart(self, motion: Motion, title: str, what: Any) -> tuple[str, str, list[tuple[str, list[float]]]]:
         named = what if isinstance(what, Mapping) else {title: what}
@@ -348,7 +348,7 @@ class System:
     ) -> Forces:
         """The forces of a motion of this system: masses are given by `m.mass` or `m.solid`, weight by `m.gravity`. Of redundant
         constraints `sharing` says how they share what no balance decides: "least norm", or the names of equations that hold
-        nothing; without it no number is given for what is not unique. `engine` is "plain", time by time, "compiled", by one
+        nothing; without it no number is given for what is not unique. `engine` is "step-by-step", "compiled", by one
         program over several times at once, or "auto", by that where it pays; their numbers differ in the last digits.
 
         Raises an error by name: nothing has mass and nothing acts, a motion of another system, a singular position; with

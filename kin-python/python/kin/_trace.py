@@ -78,7 +78,7 @@ class Trace:
             if isinstance(value, Expr):
                 return self.number(value)
         if isinstance(value, Dimension):
-            text = f"the dimension `{value.text}` is of a mechanism, not of an equation: give `{self.name}` an argument for it"
+            text = f"the dimension `{value.text}` belongs to a mechanism, not to an equation. Give `{self.name}` an argument for it"
             _mistakes.at(users_line(), text)
         if isinstance(value, (complex, np.complexfloating)):
             _mistakes.at(users_line(), f"{value!r} is a complex number; equations are made of real ones")
@@ -88,7 +88,7 @@ class Trace:
 
     def _literal(self, value: float) -> str:
         if not math.isfinite(value):
-            _mistakes.at(users_line(), f"a number of the function is {value}; constants have to be finite")
+            _mistakes.at(users_line(), f"a number of the function is {value}. Constants must be finite")
         text = repr(abs(value))
         return f"(-{text})" if math.copysign(1.0, value) < 0.0 else text
 

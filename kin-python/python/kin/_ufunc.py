@@ -190,7 +190,7 @@ def _applied(ufunc: Any, name: str, inputs: tuple[Any, ...]) -> Any:
 
     function = _function(ufunc)
     if function is None:
-        _mistakes.at(users_line(), f"`np.{name}` has no derivative here; there are the functions of `kin`")
+        _mistakes.at(users_line(), f"`np.{name}` has no derivative here. Use the functions of `kin`")
     if any(isinstance(one, _Components) for one in inputs):
         whole = {"true_divide": "divide"}.get(name, name) in _WHOLE
         return function(*inputs) if whole else itemwise(function, *(_items(one) for one in inputs))

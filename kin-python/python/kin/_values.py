@@ -101,6 +101,6 @@ def finite(place: str, name: str, number: Any) -> Any:
     if math.isfinite(value):
         return number
     shown = "NaN" if math.isnan(value) else ("inf" if value > 0 else "-inf")
-    error = ParameterNotFinite(f"`{place}`: the parameter `{name}` is {shown}; give a finite number")
+    error = ParameterNotFinite(f"`{place}` has {shown} as its parameter `{name}`. Give a finite number")
     error.__dict__.update(constraint=place, parameter=name)
     raise error

@@ -182,8 +182,7 @@ impl Page {
         let why =
             if first.is_empty() { String::new() } else { format!("<p>{}</p>", escaped(first)) };
         format!(
-            "<aside id=\"ended\" role=\"note\"><b>The run ended early: the page shows it up to t = {} {time}, of {} {time} \
-             that were asked for.</b>{why}{rest}</aside>",
+            "<aside id=\"ended\" role=\"note\"><b>The run ended early: the page shows it up to t = {} {time}, of {} {time}.</b>{why}{rest}</aside>",
             digits(*last),
             digits(asked),
             time = escaped(time)

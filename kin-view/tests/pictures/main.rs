@@ -311,7 +311,7 @@ fn a_page_of_a_run_that_ended_early_spans_the_times_reached_and_says_why() -> Re
     }
     let note = html.split_once("<aside id=\"ended\" role=\"note\">").expect("a note").1;
     let note = note.split_once("</aside>").expect("its end").0;
-    assert!(note.contains("up to t = 0.99 s, of 2 s that were asked for"), "{note}");
+    assert!(note.contains("up to t = 0.99 s, of 2 s"), "{note}");
     let sentence = error.to_string().lines().next().unwrap_or_default().replace('\'', "&#39;");
     assert!(note.contains(&sentence) && !note.contains("<img"), "{note}");
     let whole = scene.page(part)?.asked(part.times()).ended(&why).html();

@@ -134,7 +134,7 @@ twice! { Symbolic bellcrank(planar (vec![(1.0, 0.0), (0.0, 1.0)])): fn f(crank: 
     tip.x - arms[1].1 * tip.y
 } }
 
-twice! { Dual "a loop whose end is not known" wrapped_angle(coord coord): fn f(a: Coord, b: Coord) -> f64 {
+twice! { Dual "a loop with an unknown end" wrapped_angle(coord coord): fn f(a: Coord, b: Coord) -> f64 {
     use std::f64::consts::{PI, TAU};
     let mut d = a - b;
     while d > PI {

@@ -106,7 +106,7 @@ pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<Str
         {
             if bounds.len() > found.order + 1 {
                 let what = format!(
-                    "over the break at x = {}, where derivative {} jumps, {} coefficients are told to be known",
+                    "over the break at x = {}, where derivative {} jumps, {} coefficients are claimed to be known",
                     found.x,
                     found.order,
                     bounds.len()

@@ -22,7 +22,7 @@ impl Mismatch {
         Mismatch {
             kind,
             route,
-            place: "the state asked for".to_owned(),
+            place: "the requested state".to_owned(),
             entries,
             q,
             qd: qd.to_vec(),

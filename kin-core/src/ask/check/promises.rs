@@ -50,7 +50,7 @@ pub(super) fn broken<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     });
     if let Some(told) = told {
         let sides = DMatrix::from_columns(&[origin.c.clone(), -&now.c_t, -&now.c_tt]);
-        promise("C(0, t), -C_t and -C_tt, told with the numbers of the time", false, &told, &sides);
+        promise("C(0, t), -C_t and -C_tt, given the numbers of the time", false, &told, &sides);
     }
     for (entry, constant) in facts.pattern.iter().zip(facts.constants) {
         let Some(constant) = *constant else { continue };

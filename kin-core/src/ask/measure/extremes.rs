@@ -196,8 +196,7 @@ impl Extremes {
         let word = if is_max { "maximum" } else { "minimum" };
         let s = &self.time_unit;
         let reason = format!(
-            "it has no {word} at t = {t} {s}; the nearest one is at t = {} {s}. Take an extreme that \
-             `system.extremes` gives",
+            "it has no {word} at t = {t} {s}. The nearest one is at t = {} {s}; take an extreme from `system.extremes`",
             nearest.t
         );
         Err(Error::InvalidConstraint {

@@ -284,9 +284,9 @@ impl Watched<'_> {
     fn event(&self, node: Node, new: bool, t: f64) -> Event {
         let (told, what) = match self.formula.graph.op(node) {
             Op::Select(c, ..) => {
-                (self.formula.expression(c), if new { "begins to hold" } else { "ceases to hold" })
+                (self.formula.expression(c), if new { "becomes true" } else { "becomes false" })
             }
-            _ => (self.formula.expression(node), "takes its other side"),
+            _ => (self.formula.expression(node), "changes its branch"),
         };
         let (text, place) = told.map_or((String::new(), String::new()), |expression| {
             (format!("`{}` ", expression.text), format!(" ({})", self.table.source(expression)))

@@ -42,7 +42,7 @@ impl System {
                 vec![event(
                     &limit,
                     t,
-                    format!("the limits of `{}` could not be looked at: {error}", limit.name),
+                    format!("Kin cannot check the limits of `{}`: {error}", limit.name),
                 )]
             });
             events.into_iter().for_each(|event| motion.add_event(event));
@@ -71,7 +71,7 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
                 limit,
                 start,
                 format!(
-                    "`{name}` is {} {unit} at the start, beyond its {side} end, {shown} {unit}",
+                    "`{name}` starts at {} {unit}, beyond its {side} limit, {shown} {unit}",
                     time(first)
                 ),
             ));
@@ -83,8 +83,8 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
         for Root { t, rises, .. } in Search::new(system, &fine, &name, Zero::Value(end))?.all()? {
             let forwards = motion.times().last().is_none_or(|last| *last >= start);
             let leaves = (rises == forwards) == (side == "upper");
-            let way = if leaves { "passes" } else { "comes back from beyond" };
-            all.push(event(limit, t, format!("`{name}` {way} its {side} end, {shown} {unit}")));
+            let way = if leaves { "passes" } else { "returns from beyond" };
+            all.push(event(limit, t, format!("`{name}` {way} its {side} limit, {shown} {unit}")));
         }
     }
     Ok(all)

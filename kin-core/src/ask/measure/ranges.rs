@@ -100,11 +100,11 @@ impl Asked {
 
     fn events(self, name: &str) -> Vec<Event> {
         let Asked { law, range, left, .. } = &self;
-        let words = [("begins", range.from, "before"), ("ends", range.to, "beyond")];
+        let words = [("begins", range.from, "Before"), ("ends", range.to, "Beyond")];
         let told = left.iter().zip(words).filter_map(|(left, (does, end, side))| {
             let (t, far) = (*left)?;
             let text = format!(
-                "`{law}` of `{name}` {does} at {end}, the run goes on to {far}: {side} {end} the law is a \
+                "`{law}` of `{name}` {does} at {end}, but the run continues to {far}. {side} {end} the law is a \
                  straight line"
             );
             let kind = EventKind::BeyondRange;

@@ -231,12 +231,12 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
         if formula.rows.len() == facts.rows.len() {
             equation::opaque(formula, outside)
         } else {
-            Some("its steps are too many to be kept".to_string())
+            Some("its equation has too many operations".to_string())
         }
     });
     known.unwrap_or_else(|| {
         Some(format!(
-            "it takes the {} route, and only the symbolic one leaves its equation as steps of which bounds over an interval can be had",
+            "it takes the {} route, but Kin has bounds over an interval on the symbolic route only",
             facts.route()
         ))
     })

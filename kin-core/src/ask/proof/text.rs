@@ -20,7 +20,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     match ends {
         Some((from, to)) if proved == all => write!(
             f,
-            "{}: {} proved: from t = {from} {s} to {to} {s} exactly one continuous motion leads through the computed positions.",
+            "{}: {} proved. From t = {from} {s} to {to} {s} exactly one continuous motion passes through the computed positions.",
             proof.name,
             if all == 1 { "the step is".to_string() } else { format!("all {all} steps are") }
         )?,
@@ -56,20 +56,23 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let alone = least(&tubes);
         write!(
             f,
-            "\n  It is within {radius} of the positions interpolated between them; no other comes within {alone} of it."
+            "\n  It is within {radius} of the interpolated positions, and no other motion comes within {alone} of it."
         )?;
     }
     if !positions.is_empty() {
-        write!(f, "\n  Computed positions are off by no more than {}.", largest(&positions))?;
+        write!(f, "\n  The computed positions deviate by at most {}.", largest(&positions))?;
     }
     if !proof.trusted.is_empty() {
-        write!(f, "\n  That is trusting the bounds of {}.", proof.trusted.join(", "))?;
+        write!(f, "\n  This proof relies on the bounds of {}.", proof.trusted.join(", "))?;
     }
     if let Some(step) = proof.first_unproved() {
         let number = step.step + 1;
         let from = time(step.from);
         let to = time(step.to);
-        write!(f, "\n  First not proved: step {number}, from t = {from} {s} to {to} {s}")?;
+        write!(
+            f,
+            "\n  The first step without proof is step {number}, from t = {from} {s} to {to} {s}"
+        )?;
     }
     let unproved = proof.first_unproved().and_then(|step| step.tube.as_ref().err());
     let doubt =
@@ -126,16 +129,16 @@ impl fmt::Display for Unproved {
             UnprovedReason::Singular { coordinate } => {
                 write!(
                     f,
-                    "near t = {t} {s} C_q may be singular; what is loosest there is `{coordinate}`."
+                    "near t = {t} {s} the pose may be singular, and `{coordinate}` can move most easily there."
                 )
             }
             UnprovedReason::Apart { equation, by } => write!(
                 f,
-                "near t = {t} {s} the positions between both ends miss `{equation}` by {by:.1e}: the ends may be on different branches, or the step is too \
+                "near t = {t} {s} the interpolated positions violate `{equation}` by {by:.1e}: both ends may be on different branches, or the step is too \
                  large."
             ),
             UnprovedReason::Unbounded { equation, expression, source } => {
-                write!(f, "near t = {t} {s} no bounds of `{equation}` are known")?;
+                write!(f, "near t = {t} {s} Kin knows no bounds of `{equation}`")?;
                 if let Some(expression) = expression {
                     write!(f, ": `{expression}` jumps there, or has no value or slope")?;
                 }
@@ -190,13 +193,13 @@ mod tests {
                 vec![Ok(position.clone()); 3],
                 &["`lift` in `cam`"]
             ),
-            "crank: all 2 steps are proved: from t = 0 s to 2 s exactly one continuous motion leads through the computed positions.\n  \
-             It is within 5.0e-7 m and 3.0e-8 rad of the positions interpolated between them; no other comes within 2.4e-6 m and 4.9e-6 rad of it.\n  \
-             Computed positions are off by no more than 3.0e-15 m and 2.0e-15 rad.\n  That is trusting the bounds of `lift` in `cam`."
+            "crank: all 2 steps are proved. From t = 0 s to 2 s exactly one continuous motion passes through the computed positions.\n  \
+             It is within 5.0e-7 m and 3.0e-8 rad of the interpolated positions, and no other motion comes within 2.4e-6 m and 4.9e-6 rad of it.\n  \
+             The computed positions deviate by at most 3.0e-15 m and 2.0e-15 rad.\n  This proof relies on the bounds of `lift` in `cam`."
         );
         let single = proof_of(vec![Ok(one.clone())], vec![], &[]);
         assert!(
-            single.starts_with("crank: the step is proved: from t = 0 s to 1 s")
+            single.starts_with("crank: the step is proved. From t = 0 s to 1 s")
                 && !single.contains("Computed")
                 && !single.contains("trust")
         );
@@ -211,7 +214,7 @@ mod tests {
         assert!(failed.starts_with("crank: 1 of 2 steps proved.\n  It is within"), "{failed}");
         assert!(
             failed.ends_with(
-                "First not proved: step 2, from t = 1 s to 2 s: near t = 1.5 s C_q may be singular; what is loosest there is `x`."
+                "The first step without proof is step 2, from t = 1 s to 2 s: near t = 1.5 s the pose may be singular, and `x` can move most easily there."
             ),
             "{failed}"
         );
@@ -225,13 +228,12 @@ mod tests {
         );
         assert!(
             alone.starts_with(
-                "crank: 1 of 2 positions proved.\n  Computed positions are off by no more than 3.0e-15 m"
+                "crank: 1 of 2 positions proved.\n  The computed positions deviate by at most 3.0e-15 m"
             ),
             "{alone}"
         );
         assert!(
-            alone
-                .contains("\n  near t = 0 s the positions between both ends miss `rod` by 1.0e-1:")
+            alone.contains("\n  near t = 0 s the interpolated positions violate `rod` by 1.0e-1:")
                 && !alone.contains("It is within"),
             "{alone}"
         );
@@ -247,12 +249,12 @@ mod tests {
             )
             .to_string()
         };
-        assert_eq!(unbounded(None, None), "near t = 0.5 s no bounds of `cam` are known.");
+        assert_eq!(unbounded(None, None), "near t = 0.5 s Kin knows no bounds of `cam`.");
         let source = Source { file: "cam.rs", line: 3, column: 5 };
         assert_eq!(
             unbounded(Some("x.floor()"), Some(source)),
             format!(
-                "near t = 0.5 s no bounds of `cam` are known: `x.floor()` jumps there, or has no value or slope ({source})."
+                "near t = 0.5 s Kin knows no bounds of `cam`: `x.floor()` jumps there, or has no value or slope ({source})."
             )
         );
     }

@@ -150,7 +150,7 @@ impl Mechanism {
         match acting {
             Acting::Potential(energy) => Ok(ActingData::Energy(scalar(energy.as_ref())?)),
             Acting::Along(_, ForceAlong::Closure(_)) => Err(fail(&format!(
-                "its force is a closure, which no file can carry: write it as {}",
+                "its force is a closure, which no file can store. Write it as {}",
                 Surface::chosen().readable_force()
             ))),
             Acting::Along(x, ForceAlong::Written(force)) => {

@@ -18,6 +18,7 @@ use super::feature::{Feature, Followed};
 use crate::ask::measure::Measure;
 use crate::model::dimension::{DimensionError, Distribution};
 use crate::model::error::Result;
+use crate::model::error::surface::Surface;
 use crate::model::units::Units;
 use crate::solve::motion::Motion;
 use crate::system::System;
@@ -188,8 +189,11 @@ impl System {
     ) -> Result<(Vec<Source>, Vec<String>)> {
         let dimensions = self.toleranced();
         if dimensions.is_empty() {
-            let reason = "none of them has a tolerance, or moves anything; give one by `m.dimension(…)?.tolerance(…)`";
-            return Err(DimensionError::invalid("dimensions", reason));
+            let call = Surface::chosen().tolerance();
+            let reason = format!(
+                "none of them has a tolerance and moves anything. Give a tolerance by {call}"
+            );
+            return Err(DimensionError::invalid(DimensionError::ALL, reason));
         }
         let names = dimensions.iter().map(|one| one.name.clone()).collect();
         Ok((sources(dimensions, distribution.unwrap_or_default()), names))

@@ -72,7 +72,7 @@ impl System {
         sampling: &Sampling,
     ) -> Result<Samples> {
         if !(1..=MOST).contains(&sampling.count) {
-            let reason = format!("{} samples: ask for 1 to {MOST}", sampling.count);
+            let reason = format!("{} samples: choose 1 to {MOST}", sampling.count);
             return Err(Error::InvalidOptions { reason });
         }
         let (sources, names) = self.sources_of_error(Some(sampling.distribution))?;
@@ -323,8 +323,8 @@ impl fmt::Display for Samples {
         let missing = self.missing();
         let share = 100.0 * self.share_missing();
         match missing {
-            0 => write!(f, "\n  All of them can be assembled."),
-            _ => write!(f, "\n  {missing} of them, {} %, cannot be assembled.", digits(share, 2)),
+            0 => write!(f, "\n  All samples can be assembled."),
+            _ => write!(f, "\n  {missing} samples, {} %, cannot be assembled.", digits(share, 2)),
         }
     }
 }

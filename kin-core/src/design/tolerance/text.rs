@@ -60,21 +60,21 @@ impl fmt::Display for Tolerance {
                 one.unit
             )?;
         }
-        write!(f, "  Shares are of the worst case; signs are those of a larger dimension.")?;
+        write!(f, "  Shares are of the worst case. Signs are for an increase of the dimension.")?;
         if let Some(second) = &self.second_order
             && (second.mean_shift.abs() > BENT * self.sigma()
                 || second.sigma > (1.0 + BENT) * self.sigma())
         {
             write!(
                 f,
-                "\n  Second order: the mean is off by {}, σ is {} ({} to first order).",
+                "\n  Second order: the mean shifts by {}, σ is {} ({} to first order).",
                 digits(second.mean_shift, 2),
                 digits(second.sigma, 2),
                 digits(self.sigma(), 2)
             )?;
         }
         if let Some(proved) = self.proved.as_ref().filter(|proved| !proved.trusted.is_empty()) {
-            write!(f, "\n  Proved trusting the bounds of {}.", proved.trusted.join(", "))?;
+            write!(f, "\n  The proof relies on the bounds of {}.", proved.trusted.join(", "))?;
         }
         self.beyond_the_stack(f)?;
         self.looked(f)
@@ -136,10 +136,10 @@ impl Tolerance {
             return Ok(());
         };
         let [low, high] = [low, high].map(|value| digits(value - self.nominal, 2));
-        write!(f, "\n  At the worst places it is off by {low} and +{high}: ")?;
+        write!(f, "\n  At the worst places the deviation is {low} and +{high}: ")?;
         match self.misled().filter(|misled| *misled < VANISHING) {
-            Some(misled) => write!(f, "the stack misleads by {:.0} %.", 100.0 * misled),
-            None => write!(f, "the slopes vanish here, and the stack says nothing."),
+            Some(misled) => write!(f, "the linear stack misses this by {:.0} %.", 100.0 * misled),
+            None => write!(f, "the slopes vanish here, so the linear stack has no meaning."),
         }
     }
 
@@ -148,16 +148,18 @@ impl Tolerance {
         let Searched { corners, all_corners, inside, unassembled, .. } = &self.searched;
         let of = self.contributions.len();
         match (all_corners, unassembled) {
-            (true, _) => write!(f, "\n  Looked at all {corners} corners of the box of tolerances")?,
-            (false, Some(_)) => return write!(f, "\n  Looked no further than that place."),
+            (true, _) => {
+                write!(f, "\n  Kin checked all {corners} corners of the box of tolerances")?
+            }
+            (false, Some(_)) => return write!(f, "\n  Kin checked no further places."),
             (false, None) => {
-                write!(f, "\n  Looked at {corners} corners of the box of {of} tolerances")?
+                write!(f, "\n  Kin checked {corners} corners of the box of {of} tolerances")?
             }
         }
         write!(f, " and {inside} places inside")?;
         match all_corners {
             true => write!(f, "."),
-            false => write!(f, "; a corner that was left out may be worse."),
+            false => write!(f, ". A corner that Kin left out may be worse."),
         }
     }
 }

@@ -32,7 +32,7 @@ pub trait IntoConstant<T> {
 #[diagnostic::on_unimplemented(
     message = "this function takes f64 only, so its derivative is not known",
     label = "depends on coordinates or time",
-    note = "make the function generic, `fn f<D: Dual>(x: Real<D>) -> Real<D>`, or pass a `Law` and ask it with `law.at(x)`"
+    note = "make the function generic, `fn f<D: Dual>(x: Real<D>) -> Real<D>`, or pass a `Law` and call `law.at(x)`"
 )]
 pub trait IntoJet<T> {
     /// The converted value.
@@ -42,7 +42,7 @@ pub trait IntoJet<T> {
 /// A value that carries derivatives as what a field of the user's struct asks for: it must ask for
 /// dual numbers.
 #[diagnostic::on_unimplemented(
-    message = "this field holds f64 only, so the derivative of what is put into it would be lost",
+    message = "this field holds f64 only, so the derivative of its value would be lost",
     label = "depends on coordinates or time",
     note = "keep such numbers in variables, a tuple or an array, or make the type generic and say so: `struct S<T> {{ x: T }}`, `let s: S<f64> = S {{ x }}`"
 )]
@@ -61,7 +61,7 @@ impl<S: IntoJet<T>, T> IntoField<T> for S {
 /// A value and the same value in the other kind of numbers, by reference, as the reference that the
 /// user's function asks for.
 #[diagnostic::on_unimplemented(
-    message = "this function takes `{T}`, and is given something else",
+    message = "this function takes `{T}`, but the argument has another type",
     label = "is no `{T}`"
 )]
 pub trait IntoReference<T> {

@@ -128,5 +128,5 @@ impl<T> LowerAny for &mut Returned<T> {
 }
 
 fn taken<T>(value: Option<T>) -> T {
-    value.unwrap_or_else(|| unreachable!("a result is taken out once, where it is made"))
+    value.unwrap_or_else(|| unreachable!("take a result once, where it is created"))
 }

@@ -5,8 +5,7 @@
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be a parameter of a constraint",
     label = "not a parameter",
-    note = "a parameter is owned and `Clone + Send + Sync`; types are read by name, so an alias of `Planar`, `Spatial`, `Coord` or `Time` is \
-            not understood: write the name itself"
+    note = "a parameter is owned and `Clone + Send + Sync`; Kin reads types by name, so write `Planar`, `Spatial`, `Coord` or `Time` and no alias of them"
 )]
 pub trait Parameter: Clone + Send + Sync + 'static {}
 

@@ -96,7 +96,7 @@ impl System {
             1 => Ok(block),
             rows => Err(refused(
                 drive,
-                format!("it drives {rows} numbers at once: which of them is the input?"),
+                format!("it drives {rows} numbers at once, so its input is ambiguous"),
             )),
         }
     }
@@ -123,7 +123,7 @@ impl System {
         let shares = solved.map_err(|reason| refused(drive, reason.to_string()))?;
         if (c_q * &shares - &rhs).amax() > LEFT * rhs.amax() {
             let reason =
-                "redundant equations do not let it move alone: other drives lead the same thing";
+                "redundant equations do not let it move alone: other drives move the same parts";
             return Err(refused(drive, reason.to_string()));
         }
         Ok(shares.iter().zip(&measures.sizes).map(|(share, size)| share * size).collect())

@@ -128,7 +128,7 @@ impl Frictions {
                 let wrench = rub.held(&solver.by_block(rubbing.block, open));
                 let loose = |normal: &Vec3| normal.norm() * found.beside.length > LOOSE;
                 if rubbing.contacts(rub, wrench).iter().any(loose) {
-                    let what = "the force that its friction comes from";
+                    let what = "the force that causes its friction";
                     let sharing = found.beside.sharing(solver.system(), |open| open == number);
                     return Err(NotUnique::error(&rubbing.name, what, sharing));
                 }

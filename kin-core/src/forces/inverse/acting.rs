@@ -12,10 +12,11 @@ use crate::numbers::algebra::Vec3;
 use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
 use crate::system::System;
 
-const CLOSURE: &str = "its force is a closure, which only the program knows; a force that is written as a function is read";
+const CLOSURE: &str =
+    "its force is a closure, which Kin cannot read. Write the force as a function";
 
 const MEASURE: &str =
-    "it acts along a measure of a joint, which is asked for at one time after the other";
+    "it acts along a measure of a joint, which Kin evaluates one time after the other";
 
 /// The generalised forces, energies and powers as nodes of the whole program.
 pub(super) struct Acts<'w> {

@@ -142,7 +142,7 @@ pub fn linear_coupling<const N: usize>(
     const {
         assert!(
             2 <= N && N <= TERMS,
-            "`linear_coupling` takes two to six coordinates: give the sum of some of them a coordinate of its own"
+            "`linear_coupling` takes two to six coordinates: add a coordinate for the sum of some of them"
         )
     };
     let mut given = q.into_iter().map(Into::into);

@@ -71,7 +71,11 @@ impl fmt::Display for Culprit {
             self.inputs.iter().map(|(name, value)| format!("{name} = {}", short(*value))).collect(),
         );
         let Some(found) = &self.found else {
-            return if values.is_empty() { f.write_str(".") } else { write!(f, ", at {values}.") };
+            return if values.is_empty() {
+                f.write_str(".")
+            } else {
+                write!(f, ", with {values}.")
+            };
         };
         let operands = match &found.operands[..] {
             [] => String::new(),
@@ -98,12 +102,12 @@ impl fmt::Display for Culprit {
         if let Some(law) = &found.law {
             return write!(
                 f,
-                "\n  That is the law `{law}`: stay where it has a value and slopes, or give another one."
+                "\n  This expression is the law `{law}`: keep to arguments where the law has a value and slopes, or give another law."
             );
         }
         f.write_str(match found.part {
-            Part::Value => "\n  Begin at another pose, change the parameters, or write `if` around it.",
-            _ => "\n  Stay clear of that pose, or write the equation without this edge: d·d - l*l instead of d.norm() - l.",
+            Part::Value => "\n  Begin at another pose, change the parameters, or write an `if` around the expression.",
+            _ => "\n  Avoid this pose, or write the equation smoothly: d·d - l*l instead of d.norm() - l.",
         })
     }
 }

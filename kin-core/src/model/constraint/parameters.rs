@@ -55,8 +55,7 @@ pub trait Parameters {
     }
 }
 
-const UNKNOWN: &str =
-    "it is written by hand, not made from a function, so its parameters are not known";
+const UNKNOWN: &str = "it is hand-written, so Kin does not know its parameters";
 
 /// The parameters of any constraint. A constraint without the trait has no parameters.
 impl dyn Constraint + '_ {

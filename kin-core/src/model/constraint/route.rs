@@ -93,15 +93,19 @@ impl fmt::Display for RouteReason {
             RouteReason::ReadBut { outside } => {
                 let one = |(name, source): &(&str, Source)| format!("`{name}` at {source}");
                 let all: Vec<String> = outside.iter().map(one).collect();
-                write!(f, "symbolic, but for what only the program knows: {}", all.join(", "))
+                write!(
+                    f,
+                    "symbolic, except for functions that only rustc can read: {}",
+                    all.join(", ")
+                )
             }
             RouteReason::Unread { what, source } => {
                 write!(f, "dual: {what} at {source} cannot be read by the compiler")
             }
             RouteReason::Asked { source: Some(source) } => {
-                write!(f, "dual: `#[constraint(dual)]` asks for it at {source}")
+                write!(f, "dual: `#[constraint(dual)]` requests it at {source}")
             }
-            RouteReason::Asked { source: None } => f.write_str("dual: the program asks for it"),
+            RouteReason::Asked { source: None } => f.write_str("dual: your code requests it"),
             RouteReason::Hand => {
                 f.write_str("hand-written: an `impl Constraint` without the macro")
             }

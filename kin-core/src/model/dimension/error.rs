@@ -6,15 +6,16 @@
 pub enum DimensionError {
     /// A dimension on which no number of the mechanism depends.
     #[error(
-        "nothing hangs on the dimension `{name}`: give it, or an expression of it, to a link, a joint or a law, or leave it out"
+        "no number of the mechanism depends on the dimension `{name}`. Use the dimension, or an expression of it, in a link, a \
+         joint or a law, or leave it out"
     )]
     Unused {
         /// The dimension.
         name: String,
     },
 
-    /// A value, range or tolerance that is not finite or contradicts itself.
-    #[error("the dimension `{name}`: {reason}")]
+    /// A value, range or tolerance that is not finite or makes no sense.
+    #[error("{}: {reason}", dimension(.name))]
     Invalid {
         /// The dimension.
         name: String,
@@ -24,8 +25,7 @@ pub enum DimensionError {
 
     /// A dimension of another mechanism.
     #[error(
-        "`{place}`: a dimension of another mechanism than \"{mechanism}\", or of several; use what its own \
-         `dimension` gave out"
+        "`{place}` has a dimension of another mechanism than \"{mechanism}\", or of several. Use the dimensions of \"{mechanism}\""
     )]
     Foreign {
         /// The mechanism that received the dimension.
@@ -33,4 +33,18 @@ pub enum DimensionError {
         /// The constraint or the operation.
         place: String,
     },
+}
+
+impl DimensionError {
+    /// The name of all dimensions together, where no single one is at fault.
+    pub(crate) const ALL: &'static str = "dimensions";
+}
+
+/// The beginning of a sentence about one dimension, or about all of them.
+fn dimension(name: &str) -> String {
+    if name == DimensionError::ALL {
+        "a tolerance of the dimensions".to_string()
+    } else {
+        format!("the dimension `{name}`")
+    }
 }

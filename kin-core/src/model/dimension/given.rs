@@ -9,7 +9,7 @@ use crate::numbers::real::by_ref;
 
 /// A number of a mechanism: an `f64` or a [`Dimension`].
 #[diagnostic::on_unimplemented(
-    message = "a number is wanted here, but this is `{Self}`",
+    message = "a number is required here, but this is `{Self}`",
     label = "not a number",
     note = "a number is an `f64`, which has a point, as `1.0`, or a `Dimension`: what `m.dimension(…)` has given, or an expression of it"
 )]
@@ -34,7 +34,7 @@ impl IntoNumber for Dimension {
 /// A value for a parameter of type `T` of a constraint or law: a `T`, or the same type made of
 /// [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "a `{T}` is wanted here, but this is `{Self}`",
+    message = "a `{T}` is required here, but this is `{Self}`",
     label = "not a `{T}`",
     note = "numbers have a point, as `1.0`; where one of several is a `Dimension`, the others are too: `0.0.into()`"
 )]
@@ -131,7 +131,7 @@ impl<S: IntoNumber> IntoParameter<Mat3> for [[S; 3]; 3] {
 /// A vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array or a tuple of numbers or
 /// [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "a `{V}` is wanted here, but this is `{Self}`",
+    message = "a `{V}` is required here, but this is `{Self}`",
     label = "not a `{V}`",
     note = "a vector is `vec2(1.0, 2.0)` in the plane and `vec3(1.0, 2.0, 3.0)` in space"
 )]
@@ -156,7 +156,7 @@ impl<C: Components<3, Scalar: IntoNumber>> IntoVector<Vec3> for C {
 
 /// The acceleration of gravity: a [`Vec2`] or a [`Vec3`] of numbers or [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "the acceleration of gravity is wanted here, but this is `{Self}`",
+    message = "the acceleration of gravity is required here, but this is `{Self}`",
     label = "`vec2(0.0, -9.81)` in the plane, `vec3(0.0, 0.0, -9.81)` in space"
 )]
 pub trait IntoGravity {

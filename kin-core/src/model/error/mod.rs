@@ -25,7 +25,7 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
     /// Newton's method did not reach C(q, t) = 0.
-    #[error("t = {}: {}{}", words::at(*.t, .units), text::unmet(.diagnosis, || text::worst(*.iterations, .constraint, .row, *.residual)),
+    #[error("{}{}", text::unmet(&words::at(*.t, .units), .diagnosis, || text::worst(*.iterations, .constraint, .row, *.residual)),
         text::no_convergence(*.last, .units, .diagnosis, .motion))]
     NoConvergence {
         /// Time.   \[s\]
@@ -48,9 +48,8 @@ pub enum Error {
         /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// C_q is singular at a position: a toggle, a change point, or a mechanism with wrong
-    /// constraints.
-    #[error("{}{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n], *.pivot,
+    /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
+    #[error("{}{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n],
         [.movable, .dependent], .unmet)), text::drawn(*.drawn), text::computed_before(.motion))]
     SingularAt {
         /// Time.   \[s\]
@@ -77,10 +76,10 @@ pub enum Error {
         /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// The mechanism reaches a toggle and cannot be driven beyond it. At the toggle some velocity
-    /// is infinite.
-    #[error("t = {}: a toggle: beyond this time there is no position.{}{}", words::at(*.t, .units),
-        text::toggle(.movable, .dependent, .diagnosis), text::computed_before(.motion))]
+    /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate
+    /// there.
+    #[error("no position exists beyond the toggle at t = {}.{}{}", words::at(*.t, .units),
+        text::toggle(.movable, .diagnosis), text::computed_before(.motion))]
     Toggle {
         /// The time t* of the toggle.   \[s\]
         t: f64,
@@ -146,8 +145,8 @@ pub enum Error {
         /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// A constraint returned a value or derivative that is infinite or NaN.
-    #[error("t = {}: {quantity} of `{constraint}`{} is not finite{culprit}{}", words::at(*.t, .units), words::row(.row), text::computed_before(.motion))]
+    /// A constraint gave a value or derivative that is infinite or not a number.
+    #[error("{quantity} of `{constraint}`{} is not finite at t = {}{culprit}{}", words::row(.row), words::at(*.t, .units), text::computed_before(.motion))]
     NotFinite {
         /// Time.   \[s\]
         t: f64,
@@ -165,8 +164,8 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
 
-    /// A parameter of a constraint is infinite or NaN.
-    #[error("`{constraint}`: the parameter `{parameter}` is {value}; give a finite number")]
+    /// A parameter of a constraint is infinite or not a number.
+    #[error("`{constraint}` has {value} as its parameter `{parameter}`. Give a finite number")]
     ParameterNotFinite {
         /// The constraint.
         constraint: String,
@@ -187,8 +186,8 @@ pub enum Error {
         reason: String,
     },
 
-    /// A value for a coordinate, such as a guess, is infinite or NaN.
-    #[error("`{name}`: the value given for {coordinate} is {value}; give a finite number")]
+    /// An initial or other value given for a coordinate is infinite or not a number.
+    #[error("the value of {coordinate} for `{name}` is {value}. Give a finite number")]
     InitialNotFinite {
         /// The body or bare coordinate.
         name: String,
@@ -198,8 +197,8 @@ pub enum Error {
         value: f64,
     },
 
-    /// The length of a link is not positive.
-    #[error("the link `{link}` has the length {length}; give one above zero")]
+    /// A link must have a length above zero.
+    #[error("the link `{link}` has the length {length}. Give a length above zero")]
     InvalidLength {
         /// The link.
         link: String,
@@ -231,8 +230,8 @@ pub enum Error {
         name: String,
     },
 
-    /// An equation contains no coordinates, because all its bodies are the ground.
-    #[error("`{constraint}`{} has no coordinate left: {reason}", words::row(.row))]
+    /// An equation left without coordinates, because all its bodies are the ground.
+    #[error("`{constraint}`{} holds no coordinate: {reason}", words::row(.row))]
     NoCoordinates {
         /// The constraint.
         constraint: String,
@@ -262,8 +261,8 @@ pub enum Error {
         reason: String,
     },
 
-    /// Two things have the same name.
-    #[error("there are two {what} named `{name}`; choose another name for one")]
+    /// A name given twice.
+    #[error("two {what} have the name `{name}`. Choose another name for one")]
     DuplicateName {
         /// "bodies or coordinates", "constraints", "outputs".
         what: &'static str,
@@ -316,8 +315,8 @@ pub enum Error {
         allowed: usize,
     },
 
-    /// A case of a sweep contains a number that is infinite or NaN.
-    #[error("case {case}: `{name}` is {value}; give a finite number")]
+    /// A case of a sweep with a number that is infinite or not a number.
+    #[error("case {case}: `{name}` is {value}. Give a finite number")]
     CaseNotFinite {
         /// The case, counted from 0.
         case: usize,
@@ -338,8 +337,8 @@ pub enum Error {
         /// The motion that a run had computed; `None` for a sweep.
         motion: Option<Box<Motion>>,
     },
-    /// A list has the wrong length.
-    #[error("{what}: {found} values given, {expected} needed")]
+    /// A list of the wrong length.
+    #[error("{what} needs {expected} values, but has {found}")]
     WrongLength {
         /// The list.
         what: String,
@@ -348,8 +347,8 @@ pub enum Error {
         /// The given length.
         found: usize,
     },
-    /// An output has a value that is infinite or NaN.
-    #[error("the output `{output}` is {value} at t = {}; give finite numbers", words::at(*.t, .units))]
+    /// An output with a value that is infinite or not a number.
+    #[error("the output `{output}` is {value} at t = {}. Give finite numbers", words::at(*.t, .units))]
     OutputNotFinite {
         /// The output.
         output: String,

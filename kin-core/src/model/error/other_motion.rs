@@ -7,8 +7,8 @@ use crate::model::words;
 /// an equation is not satisfied.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the motion is not one of \"{system}\" as it is now: at t = {} `{equation}` is {} off. Run it again after what was \
-     set since",
+    "this motion does not belong to \"{system}\" with its present values: at t = {} the error of `{equation}` is {}. Run the \
+     system again",
     words::at(*.t, .units),
     words::time(*.off)
 )]

@@ -87,6 +87,103 @@ impl Surface {
         }
     }
 
+    /// How a user writes an angle in degrees.
+    pub(crate) fn radians(self, degrees: f64) -> String {
+        match self {
+            Surface::Rust => format!("`deg({degrees:.1})` converts degrees"),
+            Surface::Python => format!("`kin.deg({degrees:.1})` converts degrees"),
+            Surface::Command => {
+                format!("{degrees:.1} degrees are {:.4} rad", degrees.to_radians())
+            }
+        }
+    }
+
+    /// How a user computes a point or direction in the frame of a body, in brackets; the command
+    /// has no call for it.
+    pub(crate) fn local(self, call: &str, body: &str, what: &str) -> String {
+        let variable: String =
+            body.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
+        match self {
+            Surface::Rust | Surface::Python => {
+                format!(" (`m.{call}({variable}, {what})` computes them)")
+            }
+            Surface::Command => String::new(),
+        }
+    }
+
+    /// How a user holds turns on which nothing depends.
+    pub(crate) fn hold_idle(self) -> &'static str {
+        match self {
+            Surface::Rust | Surface::Python => "by `m.hold_idle_turns()`",
+            Surface::Command => "by one more constraint",
+        }
+    }
+
+    /// How a user gets a unique number for a force that redundant constraints share.
+    pub(crate) fn shared_force(self) -> &'static str {
+        match self {
+            Surface::Rust => {
+                "Request a unique sum by `forces.sum([…])`, or choose a rule of `LoadSharing`"
+            }
+            Surface::Python => {
+                "Request a unique sum by `forces.sum([…])`, or choose a rule by `sharing=`"
+            }
+            Surface::Command => "Choose equal shares by `--least-norm`",
+        }
+    }
+
+    /// How a user names the units of a mechanism, in their order.
+    pub(crate) fn units(self) -> &'static str {
+        match self {
+            Surface::Rust => "`m.units(length, time).mass(mass)`",
+            Surface::Python => "`m.units(length, time, mass)`",
+            Surface::Command => "`units` in the file",
+        }
+    }
+
+    /// How a user adds one load.
+    pub(crate) fn load(self) -> &'static str {
+        match self {
+            Surface::Rust | Surface::Python => "Add it by `m.load(…)`",
+            Surface::Command => "Put it under `loads` in the file",
+        }
+    }
+
+    /// How a user makes a clearance.
+    pub(crate) fn clearance(self) -> &'static str {
+        match self {
+            Surface::Rust | Surface::Python => "`m.clearance(…)`",
+            Surface::Command => "`clearance` in the file",
+        }
+    }
+
+    /// How a user adds a coordinate.
+    pub(crate) fn coordinate(self) -> &'static str {
+        match self {
+            Surface::Rust | Surface::Python => {
+                "Add a coordinate for it (`m.length(…)`, `m.angle(…)`)"
+            }
+            Surface::Command => "Add a coordinate for it to the file",
+        }
+    }
+
+    /// How a user gives bodies mass and lets loads act.
+    pub(crate) fn loads(self) -> &'static str {
+        match self {
+            Surface::Rust | Surface::Python => "by `m.mass(…)` and `m.load(…)`",
+            Surface::Command => "under `masses` and `loads` in the file",
+        }
+    }
+
+    /// How a user gives a dimension a tolerance.
+    pub(crate) fn tolerance(self) -> &'static str {
+        match self {
+            Surface::Rust => "`m.dimension(…)?.tolerance(…)`",
+            Surface::Python => "`m.dimension(…, tolerance=…)`",
+            Surface::Command => "`tolerance` in the file",
+        }
+    }
+
     /// Says where the motion before a failure is.
     pub(crate) fn motion_before(self, until: &str) -> String {
         match self {
@@ -105,17 +202,15 @@ impl Surface {
         match self {
             Surface::Rust => ("`SolverOptions::memory` allows", ", or allow more"),
             Surface::Python => ("the option `memory` allows", ", or allow more"),
-            Surface::Command => ("a run may take", ""),
+            Surface::Command => ("a run may use", ""),
         }
     }
 
     /// Says how a single run can use less memory.
     pub(crate) fn fewer_times(self) -> &'static str {
         match self {
-            Surface::Rust => {
-                "Keep what is wanted of one part after the other (`Solver::run_in_parts`), ask for fewer times"
-            }
-            Surface::Python | Surface::Command => "Ask for fewer times",
+            Surface::Rust => "Run in parts by `Solver::run_in_parts`, give fewer times",
+            Surface::Python | Surface::Command => "Give fewer times",
         }
     }
 
@@ -123,9 +218,9 @@ impl Surface {
     /// way.
     pub(crate) fn unchecked(self) -> &'static str {
         match self {
-            Surface::Rust => "; `Follow::Unchecked` goes on without asking",
-            Surface::Python => "; `follow=\"unchecked\"` goes on without asking",
-            Surface::Command => "",
+            Surface::Rust => "\n  To run without this check, choose `Follow::Unchecked`.",
+            Surface::Python => "\n  To run without this check, give `follow=\"unchecked\"`.",
+            Surface::Command => "\n  Give times that are closer together, or end the run there.",
         }
     }
 
@@ -133,13 +228,13 @@ impl Surface {
     pub(crate) fn too_many_steps(self) -> &'static str {
         match self {
             Surface::Rust => {
-                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `SolverOptions::effort`"
+                "the next time needs more smaller steps than a run may take; give closer times or a larger `SolverOptions::effort`"
             }
             Surface::Python => {
-                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `effort`"
+                "the next time needs more smaller steps than a run may take; give closer times or a larger `effort`"
             }
             Surface::Command => {
-                "more smaller steps than a run may take lead to the next time, which is too far away: give times that are nearer to one another, or a larger `--effort`"
+                "the next time needs more smaller steps than a run may take; give closer times or a larger `--effort`"
             }
         }
     }
@@ -156,7 +251,7 @@ impl Surface {
     /// Says how to let Kin choose the engine of forces.
     pub(crate) fn any_engine_of_forces(self) -> &'static str {
         match self {
-            Surface::Rust => "ask for its forces by `Engine::Auto`",
+            Surface::Rust => "compute its forces with `Engine::Auto`",
             Surface::Python => "leave `engine` at `\"auto\"`",
             Surface::Command => "leave `--engine` at `auto`",
         }
@@ -166,7 +261,7 @@ impl Surface {
     pub(crate) fn readable_law(self) -> &'static str {
         match self {
             Surface::Rust => {
-                "write it with `#[law]`, without a loop or call that only Rust can read, or "
+                "write it with `#[law]` and without loops or calls that Kin cannot read, or "
             }
             Surface::Python => "write it with `@kin.law`, or ",
             Surface::Command => "",
@@ -243,6 +338,16 @@ mod tests {
                 more.to_string(),
                 surface.fewer_times().to_string(),
                 surface.unchecked().to_string(),
+                surface.radians(90.0),
+                surface.local("local", "rod", "point"),
+                surface.hold_idle().to_string(),
+                surface.shared_force().to_string(),
+                surface.units().to_string(),
+                surface.load().to_string(),
+                surface.loads().to_string(),
+                surface.clearance().to_string(),
+                surface.coordinate().to_string(),
+                surface.tolerance().to_string(),
                 surface.any_engine().to_string(),
                 surface.any_engine_of_forces().to_string(),
                 surface.readable_law().to_string(),
@@ -251,7 +356,7 @@ mod tests {
                 surface.many_times().to_string(),
             ];
             let of_rust =
-                |text: &&String| ["::", "#[", "()`"].iter().any(|mark| text.contains(mark));
+                |text: &&String| ["::", "#[", ")?."].iter().any(|mark| text.contains(mark));
             let told = all.iter().filter(of_rust).count();
             assert!(
                 if surface == Surface::Rust { told >= 8 } else { told == 0 },

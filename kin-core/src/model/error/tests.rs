@@ -32,7 +32,7 @@ fn no_convergence_names_the_row_and_the_last_time() {
     let text = error.to_string();
     assert!(
         text.starts_with(
-            "t = 0.31 s: no convergence in 20 iterations; worst is `B` row y: |C| = 4.0e-2."
+            "Kin found no position at t = 0.31 s: after 20 iterations the error of `B` row y is still 4.0e-2."
         ),
         "{text}"
     );

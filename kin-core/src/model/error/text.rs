@@ -15,32 +15,39 @@ pub(super) fn no_convergence(
     motion: &Option<Box<Motion>>,
 ) -> String {
     let found = details(diagnosis);
-    match last {
-        Some(t) if found.is_empty() => {
-            format!(
-                "\n  Nearest solved t = {}. Try a smaller time step, or the loop cannot close beyond it.{}",
-                at(t, units),
-                computed_before(motion)
-            )
-        }
-        Some(t) => {
-            format!("\n  Nearest solved t = {}.{found}{}", at(t, units), computed_before(motion))
-        }
-        None if found.is_empty() => {
-            "\n  Try a better initial guess, or a preferred assembly; or the loop cannot close."
+    let Some(t) = last else {
+        return if found.is_empty() {
+            "\n  Give a better initial guess or a preferred assembly, or check whether the loop can close."
                 .to_string()
-        }
-        None => found,
-    }
+        } else {
+            found
+        };
+    };
+    let cure = if found.is_empty() {
+        "\n  Use a smaller time step, or check whether the loop can close beyond this time."
+    } else {
+        ""
+    };
+    format!(
+        "\n  Kin found the last position at t = {}.{found}{cure}{}",
+        at(t, units),
+        computed_before(motion)
+    )
 }
 
-/// Returns the message for a position that does not exist: the reason from the diagnosis if it
-/// found one, otherwise the message of the solver.
-pub(super) fn unmet(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
-    let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty());
-    found.map_or_else(solver, |diagnosis| {
-        format!("the mechanism \"{}\" cannot be put together.", diagnosis.mechanism)
-    })
+/// Message of a position that does not exist, where the diagnosis has found why; else that of the
+/// solver.
+pub(super) fn unmet(
+    at: &str,
+    diagnosis: &Option<Box<Diagnosis>>,
+    solver: impl Fn() -> String,
+) -> String {
+    match diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty()) {
+        Some(diagnosis) => {
+            format!("the mechanism \"{}\" cannot be assembled at t = {at}.", diagnosis.mechanism)
+        }
+        None => format!("Kin found no position at t = {at}: {}", solver()),
+    }
 }
 
 /// Lists the faults, one per line. The text is empty if nothing is wrong or no diagnosis exists.
@@ -59,27 +66,25 @@ pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() ->
 pub(super) fn singular(
     at: &str,
     [rank, n]: [usize; 2],
-    pivot: f64,
     [movable, dependent]: [&[String]; 2],
     unmet: &Option<Box<str>>,
 ) -> String {
     let rank = if rank < n {
         format!("has rank {rank}")
     } else {
-        "is singular but for rounding".to_string()
+        "is singular within rounding error".to_string()
     };
-    let mut text =
-        format!("t = {at}: C_q ({n} x {n}) {rank}; smallest relative pivot {pivot:.1e}.");
+    let mut text = format!("the pose at t = {at} is singular: C_q ({n} x {n}) {rank}.");
     if !movable.is_empty() {
-        text += &format!("\n  free to move though the drivers stand still: {}.", list(movable));
+        text += &format!("\n  {} can move while the drivers stand still.", list(movable));
     }
     if !dependent.is_empty() {
-        text += &format!("\n  dependent equations: {}.", list(dependent));
+        text += &format!("\n  These equations depend on one another: {}.", list(dependent));
     }
     text += &match unmet {
-        None => "\n  A toggle or change point (start or step elsewhere), or one constraint repeats the others (remove it).".to_string(),
+        None => "\n  At a toggle or change point, begin or step elsewhere; if one constraint repeats others, remove it.".to_string(),
         Some(name) => {
-            format!("\n  `{name}` cannot be met there: the dependent equations contradict one another (remove one), or the guess is poor.")
+            format!("\n  `{name}` is not satisfied there: remove a dependent equation that contradicts the others, or give a better guess.")
         }
     };
     text
@@ -88,33 +93,29 @@ pub(super) fn singular(
 /// Says why Kin does not replace a guess that is a singular assembly by another assembly.
 pub(super) fn drawn(drawn: bool) -> &'static str {
     if drawn {
-        "\n  The drawn position is singular: it meets every equation, so Kin does not leave it for another \
-         assembly. To begin in another one, draw the mechanism there, or prefer it by a coordinate or measure."
+        "\n  The drawn position is singular but satisfies every equation, so Kin keeps this assembly. \
+         To begin in another assembly, draw the mechanism there, or prefer it by a coordinate or measure."
     } else {
         ""
     }
 }
 
-/// Returns the message for a position beyond a toggle: why the mechanism cannot reach it, and what
-/// can move at the toggle.
-pub(super) fn toggle(
-    movable: &[String],
-    dependent: &[String],
-    diagnosis: &Option<Box<Diagnosis>>,
-) -> String {
-    let all = format!(
-        "There {} can move although what drives stands still, and {} depend on one another.",
-        list(movable),
-        list(dependent)
-    );
-    format!("{}\n  {all}", details(diagnosis))
+/// The message of a position beyond a toggle: why it cannot be reached, and what can move at the
+/// toggle.
+pub(super) fn toggle(movable: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
+    let found = details(diagnosis);
+    let is_cured = diagnosis.as_ref().is_some_and(|diagnosis| !diagnosis.changes.is_empty());
+    let cure = found.rsplit_once("\n  ").filter(|_| is_cured);
+    let (why, cure) = cure.unwrap_or((&found, "End the motion there, or drive another body."));
+    let movable = list(movable);
+    format!("{why}\n  At the toggle, {movable} can move while the drivers stand still.\n  {cure}")
 }
 
 /// Returns the message for a run that may have left its branch.
 pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>) -> String {
     format!(
-        "t = {at}: beyond this time the run cannot be shown to stay on its branch ({reason}).\n  A law or \
-         constraint with a kink, or a position that is singular in more than one way{}.{}",
+        "Kin cannot confirm that the run stays on its branch beyond t = {at}: {reason}.\n  A law or \
+         constraint may have a kink there, or the pose may be singular in more than one way.{}{}",
         Surface::chosen().unchecked(),
         computed_before(motion)
     )
@@ -127,8 +128,8 @@ pub(super) fn wrong_branch(
     motion: &Option<Box<Motion>>,
 ) -> String {
     format!(
-        "t = {at}: `{constraint}` ({kind}) closes the wrong way: {reason}.\n  Give a better guess of the poses, \
-         or turn one of the directions round.{}",
+        "`{constraint}` ({kind}) closes the wrong way at t = {at}: {reason}.\n  Give a better guess of the poses, \
+         or reverse one of the directions.{}",
         computed_before(motion)
     )
 }
@@ -140,10 +141,10 @@ pub(super) fn law_jumps(
     (x, order): (f64, usize),
     motion: &Option<Box<Motion>>,
 ) -> String {
-    let what = if order == 0 { "value changes" } else { "slope changes" };
+    let what = if order == 0 { "value" } else { "slope" };
     format!(
-        "t = {at}: the law `{law}` of `{constraint}` jumps at {}: its {what} there, which no body can follow.\n  \
-         Let its parts meet, or stop before it.{}",
+        "the law `{law}` of `{constraint}` jumps at t = {at}: its {what} changes suddenly at {}, and no body can follow.\n  \
+         Make the parts of the law meet with equal value and slope, or end the run before this time.{}",
         time(x),
         computed_before(motion)
     )
@@ -175,18 +176,22 @@ pub(super) fn motion_before(motion: &Motion) -> String {
 /// Returns the message for a sweep or a run that was stopped. A run carries its motion.
 pub(super) fn stopped([done, all]: [usize; 2], motion: &Option<Box<Motion>>) -> String {
     let (what, parts) = if motion.is_some() { ("run", "times") } else { ("sweep", "cases") };
-    format!("the {what} was stopped after {done} of {all} {parts}")
+    format!("your program stopped the {what} after {done} of {all} {parts}")
 }
 
 /// Lists the known names, the most similar name first.
 pub(super) fn known(known: &[String]) -> String {
-    if known.is_empty() { String::new() } else { format!("; there are {}", list(known)) }
+    match known {
+        [] => String::new(),
+        [only] => format!(". Use `{only}`"),
+        all => format!(". Use one of {}", list(all)),
+    }
 }
 
 /// Says how far Newton's method came.
 pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
     format!(
-        "no convergence in {}; worst is `{constraint}`{}: |C| = {residual:.1e}.",
+        "after {} the error of `{constraint}`{} is still {residual:.1e}.",
         count(iterations, "iteration"),
         row(of)
     )
@@ -198,7 +203,7 @@ pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f6
     let (all, cure) = if motions > 1 {
         (
             format!("{motions} motions at once of "),
-            "Run the sweep on fewer threads, ask for fewer times",
+            "Run the sweep on fewer threads, give fewer times",
         )
     } else {
         (String::new(), surface.fewer_times())
@@ -207,19 +212,19 @@ pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f6
     let times = count(times, "time");
     let coordinates = count(coordinates, "coordinate");
     let (limit, more) = surface.memory();
-    format!("{all}{times} of {coordinates} need {needed}; {limit} {allowed}.\n  {cure}{more}.")
+    format!("{all}{times} of {coordinates} need {needed}, but {limit} {allowed}.\n  {cure}{more}.")
 }
 
 /// Returns the message for a handle of another mechanism.
 pub(super) fn foreign([place, argument, mechanism]: [&str; 3]) -> String {
     format!(
-        "`{place}`: `{argument}` is not of the mechanism \"{mechanism}\"; use what its own methods gave out"
+        "`{place}` cannot use `{argument}`, which belongs to another mechanism than \"{mechanism}\". Use what \"{mechanism}\" returned"
     )
 }
 
 /// Returns the message for one thing in two arguments.
 pub(super) fn repeated([constraint, first, second, name]: [&str; 4]) -> String {
     format!(
-        "`{constraint}`: `{first}` and `{second}` are both `{name}`; a constraint needs different bodies and coordinates"
+        "`{constraint}` has `{name}` twice, as `{first}` and as `{second}`. Give it different bodies or coordinates"
     )
 }

@@ -142,14 +142,14 @@ pub(crate) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> 
             let law = law.law()?;
             law.over(&Series::constant(ZERO)).is_none().then(|| {
                 format!(
-                    "of its law `{}` no bounds over an interval are known; {}take one of the library",
+                    "Kin has no bounds of its law `{}` over an interval; {}take a law of the library",
                     law.kind(),
                     Surface::chosen().readable_law()
                 )
             })
         }
         Op::Opaque(..) if graph.depends(node).varies() => {
-            Some("it calls a function of yours, of which no bounds over an interval are known; write its expression out".to_string())
+            Some("it calls a user-defined function, of which Kin has no bounds over an interval. Write out its expression".to_string())
         }
         _ => None,
     })

@@ -308,7 +308,7 @@ impl Law {
         let mut bad = None;
         self.parameters(&mut |name, value| {
             if !value.is_finite() && bad.is_none() {
-                bad = Some(format!("{name} is {value}; give a finite number"));
+                bad = Some(format!("{name} is {value}. Give a finite number"));
             }
         });
         bad.or_else(|| self.0.refusal())

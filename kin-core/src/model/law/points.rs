@@ -82,7 +82,7 @@ impl Points {
         }
         if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
             return Some(format!(
-                "{kind}: point {} is ({}, {}); give finite numbers",
+                "{kind}: point {} is ({}, {}). Give finite numbers",
                 k + 1,
                 self.table[k].0,
                 self.table[k].1

@@ -284,7 +284,7 @@ impl LawFunction for Rise {
     fn refusal(&self) -> Option<String> {
         (self.length <= 0.0).then(|| {
             format!(
-                "{}: the length of a rise is above zero (length = {})",
+                "{}: the length of a rise must be above zero (length = {})",
                 self.kind(),
                 self.length
             )

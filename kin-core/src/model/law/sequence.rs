@@ -255,7 +255,10 @@ impl LawFunction for Sequence {
         let number = |k: usize| format!("part {} of the sequence", k + 1);
         for (k, (length, law)) in self.parts.iter().enumerate() {
             if *length <= 0.0 {
-                return Some(format!("{} has the length {length}; give one above zero", number(k)));
+                return Some(format!(
+                    "{} has the length {length}. Give a value above zero",
+                    number(k)
+                ));
             }
             if let Some(why) = law.refusal() {
                 return Some(format!("{}: {why}", number(k)));
@@ -372,7 +375,10 @@ impl LawFunction for Periodic {
 
     fn refusal(&self) -> Option<String> {
         if self.period <= 0.0 {
-            return Some(format!("periodic: the period is above zero (period = {})", self.period));
+            return Some(format!(
+                "periodic: the period must be above zero (period = {})",
+                self.period
+            ));
         }
         self.law.refusal().or_else(|| {
             let (order, end) = self.seam();

@@ -146,13 +146,13 @@ fn a_parameter_that_is_not_finite_is_refused_by_its_name() {
     let said = |law: Law| law.refusal().unwrap_or_default();
     assert_eq!(
         said(Law::polynomial(&[1.0, f64::NAN, f64::INFINITY])),
-        "c[1] is NaN; give a finite number"
+        "c[1] is NaN. Give a finite number"
     );
-    assert_eq!(said(Law::linear(f64::NEG_INFINITY, 1.0)), "f0 is -inf; give a finite number");
-    assert_eq!(said(Law::cycloidal(f64::NAN, -1.0)), "height is NaN; give a finite number");
+    assert_eq!(said(Law::linear(f64::NEG_INFINITY, 1.0)), "f0 is -inf. Give a finite number");
+    assert_eq!(said(Law::cycloidal(f64::NAN, -1.0)), "height is NaN. Give a finite number");
     assert_eq!(
         said(Law::cycloidal(1.0, -1.0)),
-        "cycloidal: the length of a rise is above zero (length = -1)"
+        "cycloidal: the length of a rise must be above zero (length = -1)"
     );
     assert_eq!(said(Law::ramp(1.0)), "");
 }

@@ -14,13 +14,13 @@ impl Solid {
         let [x, y, z] = self.centre.to_array();
         let rows = self.inertia.to_array();
         if !(self.mass.is_finite() && self.mass > 0.0) {
-            return Some(format!("the mass is {}; give one above zero", self.mass));
+            return Some(format!("the mass is {}. Give a value above zero", self.mass));
         }
         if let Some(bad) = [x, y, z].into_iter().find(|x| !x.is_finite()) {
-            return Some(format!("a coordinate of the centre is {bad}; give finite numbers"));
+            return Some(format!("a coordinate of the centre is {bad}. Give finite numbers"));
         }
         if let Some(bad) = rows.iter().flatten().find(|x| !x.is_finite()) {
-            return Some(format!("an entry of the inertia is {bad}; give finite numbers"));
+            return Some(format!("an entry of the inertia is {bad}. Give finite numbers"));
         }
         if planar {
             let moment = self.inertia.m33;

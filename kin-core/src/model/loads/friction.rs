@@ -124,10 +124,10 @@ impl Friction {
     fn refusal(&self) -> Option<String> {
         let at_least_zero = |what: &str, x: f64| {
             (!(x.is_finite() && x >= 0.0))
-                .then(|| format!("{what} is {x}; give one of at least zero"))
+                .then(|| format!("{what} is {x}. Give a value of at least zero"))
         };
         let above_zero = |what: &str, x: f64| {
-            (!(x.is_finite() && x > 0.0)).then(|| format!("{what} is {x}; give one above zero"))
+            (!(x.is_finite() && x > 0.0)).then(|| format!("{what} is {x}. Give a value above zero"))
         };
         let shape = match self.shape {
             Shape::Pin { radius, length } => above_zero("the radius of the pin", radius)
@@ -163,12 +163,12 @@ impl Friction {
                 (&["prismatic", "cylindrical", "point_on_line", "pin_in_slot"][..], "slide")
             }
         };
-        let whose = if is_of_library(joint) { "" } else { " of your own" };
+        let whose = if is_of_library(joint) { "" } else { ", which is user-defined" };
         let is_known = whose.is_empty() && kinds.contains(&kind.as_str());
         let seat = is_known.then(|| Seat::of(joint, told == "pin")).flatten();
         let seat = seat.ok_or_else(|| {
             format!(
-                "friction of a {told} needs one of {}, and this is `{kind}`{whose}",
+                "friction of a {told} needs one of {}, but this is `{kind}`{whose}",
                 kinds.join(", ")
             )
         })?;

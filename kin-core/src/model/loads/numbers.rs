@@ -156,7 +156,7 @@ pub(crate) fn sensible_point_mass(name: &str, mass: f64) -> Result<()> {
         false => Err(senseless(
             name,
             "point with mass",
-            &format!("the mass is {mass}; give one above zero"),
+            &format!("the mass is {mass}. Give a value above zero"),
         )),
     }
 }
@@ -167,7 +167,7 @@ pub(crate) fn sensible_gravity(gravity: &[f64; 3]) -> Result<()> {
         Some(bad) => Err(senseless(
             "gravity",
             "acceleration",
-            &format!("a component is {bad}; give finite numbers"),
+            &format!("a component is {bad}. Give finite numbers"),
         )),
         None => Ok(()),
     }

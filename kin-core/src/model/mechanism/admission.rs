@@ -2,6 +2,7 @@
 
 use crate::model::constraint::{Constraint, Entry};
 use crate::model::coordinates::{Argument, Target};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::layout::{Layout, Place};
 
@@ -28,12 +29,11 @@ pub(crate) fn holds(name: &str, constraint: &dyn Constraint) -> Result<()> {
     if !constraint.facts().is_energy {
         return Ok(());
     }
-    let reason =
-        "it is an energy, which acts and holds nothing; give it to the mechanism by `m.load(…)`";
+    let reason = format!("it is an energy, which holds nothing. {}", Surface::chosen().load());
     Err(Error::InvalidParameters {
         constraint: name.to_string(),
         kind: constraint.facts().kind.to_string(),
-        reason: reason.to_string(),
+        reason,
     })
 }
 
@@ -165,10 +165,10 @@ fn movable(
             [] => {
                 "its row of the pattern is empty; list where C_q may differ from zero".to_string()
             }
-            [one] => format!("{one} is the ground; give it a body that can move"),
+            [one] => format!("{one} is the ground. Give it a body that can move"),
             [rest @ .., last] => {
                 format!(
-                    "{} and {last} are the ground; give it a body that can move",
+                    "{} and {last} are the ground. Give it a body that can move",
                     rest.join(", ")
                 )
             }

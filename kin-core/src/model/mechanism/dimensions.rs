@@ -8,6 +8,7 @@ use crate::model::dimension::{
     Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Hung, IntoNumber, Of,
     Shared, Snapshot, text_of,
 };
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::layout::Kind;
 use crate::numbers::algebra::{Axis, Vec2};
@@ -29,7 +30,7 @@ impl Mechanism {
         if !number.value().is_finite() {
             return Err(DimensionError::invalid(
                 name,
-                format!("it is {}; give a finite number", number.value()),
+                format!("it is {}. Give a finite number", number.value()),
             ));
         }
         self.check_origin(name, number)?;
@@ -290,7 +291,7 @@ impl Entry {
                 fail(format!("its range {from} … {to} excludes its value {}", self.value))
             }
             (_, Some(tolerance)) if !(tolerance >= 0.0 && tolerance.is_finite()) => fail(format!(
-                "its tolerance is ± {tolerance}; give a finite number that is not negative"
+                "its tolerance is ± {tolerance}. Give a finite number that is not negative"
             )),
             _ => Ok(()),
         }
@@ -300,10 +301,10 @@ impl Entry {
     fn check_clearance(&self, all: &[Entry]) -> Result<()> {
         let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
         match (&self.clearance, self.distribution) {
-            (None, Some(Distribution::Disc)) => fail(
-                "a disc is the distribution of a clearance: make it by `m.clearance(…)`"
-                    .to_string(),
-            ),
+            (None, Some(Distribution::Disc)) => fail(format!(
+                "a disc is the distribution of a clearance. Make the clearance by {}",
+                Surface::chosen().clearance()
+            )),
             (None, _) => Ok(()),
             (Some(name), Some(Distribution::Disc)) => {
                 let own: Vec<&Entry> =

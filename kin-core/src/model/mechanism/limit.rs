@@ -18,7 +18,7 @@ impl Limit {
         if from < to {
             return Ok(());
         }
-        let reason = format!("its limits are {from} and {to}; give a smaller one and a larger one");
+        let reason = format!("its limits are {from} and {to}. Give a lower and a higher limit");
         Err(Error::InvalidParameters {
             constraint: self.name.clone(),
             kind: "limit".to_string(),

@@ -95,7 +95,7 @@ impl SpatialPose {
 
 /// One or two directions that a spatial body faces.
 #[diagnostic::on_unimplemented(
-    message = "an axis is wanted here, but this is `{Self}`",
+    message = "an axis is required here, but this is `{Self}`",
     label = "not an axis",
     note = "a direction is `vec3(1.0, 0.0, 0.0)`, or `Axis::new(h, f)` with a second one across it"
 )]

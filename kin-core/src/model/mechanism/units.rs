@@ -1,6 +1,7 @@
 //! Declared names of units, and what contradicts them.
 
 use super::{Mechanism, Refused};
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
@@ -71,7 +72,7 @@ impl Mechanism {
                 &entry.name,
                 "dimension",
                 format!(
-                    "it is in {}, and lengths are in {} by `m.units`: nothing is converted; give it in {1}",
+                    "it is in {}, but the mechanism has lengths in {}. Kin converts nothing, so give it in {1}",
                     entry.unit,
                     units.length()
                 ),
@@ -92,9 +93,9 @@ impl Mechanism {
         }
         let unit = format!("{}/{}^2", units.length(), units.time());
         let reason = format!(
-            "{size} {unit} is the earth's in other units: in {unit} it is {}. Give it in the units of the mechanism, \
-             or declare those by `m.units(length, time)`",
-            format!("{own:.6e}").parse().unwrap_or(own)
+            "{size} {unit} is the earth's gravity in other units; in {unit} it is {}. Give it in the units of the mechanism, or declare its units by {}",
+            format!("{own:.6e}").parse().unwrap_or(own),
+            Surface::chosen().units()
         );
         Err(refused("gravity", "acceleration", reason))
     }
@@ -107,15 +108,15 @@ pub(super) fn refusal(before: Option<&Units>, units: &Units) -> Result<()> {
     }
     if let Some((what, word, of)) = units.misplaced() {
         let reason = format!(
-            "the unit of {what} is `{word}`, which is one of {of}: `m.units(length, time).mass(mass)` takes them \
-             in this order"
+            "the unit of {what} is `{word}`, which is one of {of}. {} takes length, time and mass in this order",
+            Surface::chosen().units()
         );
         return Err(refused("units", "words", reason));
     }
     let Some(before) = before.filter(|before| *before != units) else { return Ok(()) };
     let told = |units: &Units| format!("{}, {} and {}", units.length(), units.time(), units.mass());
     let reason = format!(
-        "they are declared as {}, and again as {}: nothing is converted, so declare them once",
+        "your code declares them as {}, and again as {}. Kin converts nothing, so declare them once",
         told(before),
         told(units)
     );

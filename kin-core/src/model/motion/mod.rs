@@ -49,7 +49,8 @@ pub struct Motion {
     pub(crate) turned_before: bool,
     /// All warnings, once somebody has read them; whatever adds an event empties the list.
     pub(crate) warnings: OnceLock<Vec<Warning>>,
-    /// By how much of their norms equations contradict one another, where that was allowed.   \[-\]
+    /// The contradiction of redundant equations as a share of their norms; 0 unless it is
+    /// allowed.   \[-\]
     pub(crate) misfit: f64,
     /// How many times the compiled program has computed, and how often it has returned the rest of
     /// a block to the step-by-step solver.

@@ -57,11 +57,11 @@ impl SingularPosition {
     /// Returns the position as an event.
     pub(crate) fn event(&self) -> Event {
         let names: Vec<String> = self.movable.iter().map(|name| format!("`{name}`")).collect();
-        let can = format!("{} can move although what drives stands still", names.join(", "));
+        let can = format!("{} can move while the drivers stand still", names.join(", "));
         let (kind, text) = match self.kind {
             SingularKind::TurningPoint => (
                 EventKind::TurningPoint,
-                format!("a toggle, beyond which there is no position: {can}"),
+                format!("a toggle, beyond which no position exists: {can}"),
             ),
             SingularKind::Bifurcation => (
                 EventKind::Bifurcation,

@@ -4,111 +4,154 @@ use std::fmt::{Display, Formatter, Result};
 
 use super::change::{Change, GlobalPoint, Resize, Size};
 use super::gap::{Asks, Step};
-use super::text::{SHOWN, number};
+use super::text::SHOWN;
 use crate::model::error::surface::Surface;
-use crate::model::words::list;
+use crate::model::words::{apart, different, list, number, value};
 
-/// Returns the cause that a tested change reveals. The report begins with it.
-pub(super) fn cause(change: &Change) -> Option<String> {
+/// The cause that a change gives, where the change has been tried; the report names it first.
+/// Lengths have this unit; none where it is empty.
+pub(super) fn cause(change: &Change, unit: &str) -> Option<String> {
     match change {
         Change::Resize { any } if any.len() == 1 => {
-            any.first().map(|only| format!("does not fit: {}.", Is(only)))
+            any.first().map(|only| Is { resize: only, unit }.alone())
         }
         Change::Resize { any } => {
-            let all: Vec<String> = any.iter().map(|resize| Is(resize).to_string()).collect();
-            Some(format!("one of these does not fit: {}.", all.join(", ")))
+            let all: Vec<String> =
+                any.iter().map(|resize| Is { resize, unit }.to_string()).collect();
+            Some(format!("One of these does not fit: {}.", all.join(", ")))
         }
-        Change::Allow { misfit } => Some(format!(
-            "nearly consistent: redundant equations contradict one another by no more than parts of ordinary accuracy do; {} allows it.",
-            Surface::chosen().allowed_misfit(*misfit)
-        )),
+        Change::Allow { .. } => Some(
+            "The redundant equations are nearly consistent: their contradiction is within the accuracy of ordinary parts."
+                .to_string(),
+        ),
         Change::Pin { bodies: [a, b], .. } => Some(format!(
-            "freedoms left: `{a}` and `{b}` are held by one joint each, and nothing drives them."
+            "Only one joint holds each of `{a}` and `{b}`, and nothing drives them."
         )),
         Change::Swap { constraint, bodies: [i, j], points: [u, v] } => Some(format!(
-            "exchanged: `{constraint}` takes {} in `{i}`, which is a point of `{j}`, and {} in `{j}`, which is one of `{i}`.",
-            Point(u),
-            Point(v)
+            "The points of `{constraint}` are exchanged: in `{i}` it has {}, a point of `{j}`, and in `{j}` it has {}, a point of `{i}`.",
+            Point::of(u),
+            Point::of(v)
         )),
         Change::Local { points } => points.first().map(|first| {
-            let others = if points.len() > 1 {
-                format!(" (and {} more)", points.len() - 1)
-            } else {
-                String::new()
+            let others = match points.len() - 1 {
+                0 => String::new(),
+                more => format!(" (and {more} more)"),
             };
             format!(
-                "global point: `{}` takes {} in `{}`, where a local point is wanted{others}.",
+                "`{}` has the global point {} in `{}`, but needs a local point{others}.",
                 first.constraint,
-                Point(&first.given),
+                Point::of(&first.given),
                 first.body
             )
         }),
-        Change::Join { body } => {
-            Some(format!("freedom left: `{body}` is free in every way; no constraint holds it."))
-        }
+        Change::Join { body } => Some(format!("No constraint holds `{body}`.")),
         Change::OtherEnd { constraints: [a, b], body, point } => Some(format!(
-            "same end: `{a}` and `{b}` both hold `{body}` at {}, and nothing its other end.",
-            Point(point)
+            "`{a}` and `{b}` hold the same end of `{body}`, {}, and nothing holds its other end.",
+            Point::of(point)
         )),
         _ => None,
     }
 }
 
-/// Writes "`crank 3` is 1.100 long".
-struct Is<'a>(&'a Resize);
+/// "`crank 3` is 1.100 m long", with digits that tell it from the value that fits.
+struct Is<'a> {
+    resize: &'a Resize,
+    unit: &'a str,
+}
+
+impl Is<'_> {
+    /// The same where only this dimension can be at fault.
+    fn alone(&self) -> String {
+        let text = self.to_string();
+        let (name, is) = text.rsplit_once("` is ").unwrap_or((&text, ""));
+        format!("{name}` does not fit: it is {is}.")
+    }
+}
 
 impl Display for Is<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match &self.0.of {
-            Size::Length { body } => write!(f, "`{body}` is {} long", Point(&self.0.is)),
+        let Is { resize, unit } = self;
+        let [is, _] = resize.both();
+        let blank = if unit.is_empty() { "" } else { " " };
+        match &resize.of {
+            Size::Length { body } => write!(f, "`{body}` is {is}{blank}{unit} long"),
             Size::Number { constraint, parameter } => {
-                write!(f, "`{constraint}.{parameter}` is {}", Point(&self.0.is))
+                write!(f, "`{constraint}.{parameter}` is {is}")
             }
             Size::Point { constraint, body, .. } => {
-                let body =
-                    body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
-                write!(f, "`{constraint}` is at {} of {body}", Point(&self.0.is))
+                write!(f, "`{constraint}` is at {is}{blank}{unit} {}", frame(body))
             }
         }
     }
 }
 
-/// Writes "make `crank 3` 1.000 long".
-impl Display for Resize {
-    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+/// "on the ground", "in `rod`"
+fn frame(body: &Option<String>) -> String {
+    body.as_ref().map_or("on the ground".to_string(), |body| format!("in `{body}`"))
+}
+
+impl Resize {
+    /// The present value and the one that fits, with digits that tell them apart.
+    fn both(&self) -> [Point; 2] {
+        apart(&self.is, &self.fits).map(Point)
+    }
+
+    /// "make `crank 3` 1.000 m long"
+    fn advice(&self, unit: &str) -> String {
         let bound = match (self.exact, self.fits.first() > self.is.first()) {
             (true, _) => "",
             (false, true) => "at least ",
             (false, false) => "at most ",
         };
-        let value = Value {
-            x: self.fits.first().copied().unwrap_or_default(),
-            up: (!self.exact).then_some(self.fits.first() > self.is.first()),
-        };
+        let [is, fits] = self.both();
+        let x = self.fits.first().copied().unwrap_or_default();
+        let up = (!self.exact).then_some(self.fits.first() > self.is.first());
+        let value =
+            Value { x, up, digits: 4 }.apart_from(self.is.first().copied().unwrap_or_default());
+        let blank = if unit.is_empty() { "" } else { " " };
         match &self.of {
-            Size::Length { body } => write!(f, "make `{body}` {bound}{value} long"),
+            Size::Length { body } => format!("make `{body}` {bound}{value}{blank}{unit} long"),
             Size::Number { constraint, parameter } => {
-                write!(f, "make `{constraint}.{parameter}` {bound}{value}")
+                format!("make `{constraint}.{parameter}` {bound}{value}")
             }
             Size::Point { constraint, body, .. } => {
-                let body =
-                    body.as_ref().map_or("the ground".to_string(), |body| format!("`{body}`"));
-                write!(f, "move `{constraint}` to {} of {body}", Point(&self.fits))
+                format!("move `{constraint}` from {is} to {fits}{blank}{unit} {}", frame(body))
             }
         }
     }
 }
 
-/// A number to four digits; a bound is rounded to its safe side.
+impl Display for Resize {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str(&self.advice(""))
+    }
+}
+
+/// A number to so many digits; a bound is rounded to its safe side.
 struct Value {
     x: f64,
     up: Option<bool>,
+    digits: i32,
+}
+
+impl Value {
+    /// With four digits, or as many as tell it from the present value.
+    fn apart_from(self, is: f64) -> Value {
+        let Value { x, up, .. } = self;
+        let with = |digits: i32| Value { x, up, digits };
+        let differs = |value: &Value| {
+            let shown: f64 = value.to_string().parse().unwrap_or(f64::NAN);
+            let share = (shown - is) / (x - is);
+            share >= 0.5 && (share <= 1.5 || up.is_some())
+        };
+        (4..16).map(with).find(differs).unwrap_or_else(|| with(4))
+    }
 }
 
 impl Display for Value {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let x = self.x;
-        let step = 10.0_f64.powf(x.abs().log10().floor() - 3.0);
+        let Value { x, digits, .. } = *self;
+        let step = 10.0_f64.powf(x.abs().log10().floor() - f64::from(digits - 1));
         if !(x.is_finite() && step.is_finite() && step > 0.0) {
             return write!(f, "{}", number(x));
         }
@@ -119,57 +162,76 @@ impl Display for Value {
             None => x,
         };
         if (1e-4..1e7).contains(&rounded.abs()) {
-            let decimals = (3.0 - rounded.abs().log10().floor()).max(0.0) as usize;
+            let decimals = (f64::from(digits - 1) - rounded.abs().log10().floor()).max(0.0);
+            let decimals = decimals as usize;
             return write!(f, "{rounded:.decimals$}");
         }
-        write!(f, "{rounded:.3e}")
+        let decimals = (digits - 1) as usize;
+        write!(f, "{rounded:.decimals$e}")
     }
 }
 
-/// Writes "(0.500, 0.000)", or a single number.
-struct Point<'a>(&'a [f64]);
+/// "(0.500, 0)", or the number alone.
+struct Point(Vec<String>);
 
-impl Display for Point<'_> {
+impl Point {
+    fn of(point: &[f64]) -> Point {
+        let [texts, _] = apart(point, point);
+        Point(texts)
+    }
+}
+
+impl Display for Point {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
-        let all: Vec<String> = self
-            .0
-            .iter()
-            .map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { *x }))
-            .collect();
-        match &all[..] {
+        match &self.0[..] {
             [one] => f.write_str(one),
             all => write!(f, "({})", all.join(", ")),
         }
     }
 }
 
+/// A change whose lengths have a unit; none where it is empty.
+pub(super) struct In<'a> {
+    pub change: &'a Change,
+    pub unit: &'a str,
+}
+
 impl Display for Change {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        match self {
+        In { change: self, unit: "" }.fmt(f)
+    }
+}
+
+impl Display for In<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let surface = Surface::chosen();
+        match self.change {
             Change::Remove { constraint, or } => remove(f, constraint, or),
             Change::Fit { constraint, missing, or_drop, of } => {
                 fit(f, constraint, *missing, or_drop, *of)
             }
-            Change::Limit { constraint, asks, or } => limit(f, constraint, asks.as_ref(), or),
+            Change::Limit { constraint, asks, or } => {
+                limit(f, constraint, asks.as_ref(), (or, self.unit))
+            }
             Change::Allow { misfit } => {
-                let call = Surface::chosen().allowed_misfit(*misfit);
-                write!(f, "allow it by {call}, a share of the mechanism's size")
+                let call = surface.allowed_misfit(*misfit);
+                write!(f, "allow the contradiction by {call}, a fraction of the mechanism's size")
             }
             Change::Resize { any } => {
-                let all: Vec<String> = any.iter().map(ToString::to_string).collect();
+                let all: Vec<String> = any.iter().map(|one| one.advice(self.unit)).collect();
                 f.write_str(&all.join(", or "))
             }
             Change::Smooth { step: Step { equation, coordinate, at, .. } } => {
                 write!(
                     f,
-                    "put a smooth function in the place of the step of `{equation}`, or keep {coordinate} away from {at:.4}"
+                    "replace the jump of `{equation}` by a smooth function, or keep {coordinate} away from {}",
+                    value(*at)
                 )
             }
             Change::Swap { constraint, bodies: [i, j], .. } => {
                 write!(
                     f,
-                    "give `{constraint}` its bodies in the order of its points, first `{j}`, then `{i}`"
+                    "give `{constraint}` its bodies in the order of its points: first `{j}`, then `{i}`"
                 )
             }
             Change::Local { points } => local(f, points),
@@ -177,7 +239,7 @@ impl Display for Change {
                 write!(f, "let `{a}` or `{b}` hold the other end of `{body}`")
             }
             Change::Drop { constraint, rows, instead: Some(joint) } => {
-                write!(f, "make `{constraint}` {joint} (drops {})", rows_named(rows))
+                write!(f, "make `{constraint}` {joint}, which drops {}", rows_named(rows))
             }
             Change::Drop { constraint, rows, instead: None } => {
                 write!(f, "drop {} of `{constraint}`", rows_named(rows))
@@ -191,12 +253,22 @@ impl Display for Change {
             }
             Change::Loosen { constraints } => {
                 let all = quoted(constraints.iter().take(SHOWN));
-                write!(f, "for a mechanism that moves let one of {all} hold less, and add a motor")
+                write!(
+                    f,
+                    "to let it move, replace one of {all} by a joint that holds less, and add a motor"
+                )
             }
             Change::Join { body } => {
                 write!(f, "join `{body}` to another body or the ground, or leave it out")
             }
-            Change::HoldIdle { bodies } => hold_idle(f, bodies),
+            Change::HoldIdle { bodies } => {
+                let all = list(bodies);
+                write!(
+                    f,
+                    "hold the idle turn of {all} {}, or replace the body by a `distance`",
+                    surface.hold_idle()
+                )
+            }
         }
     }
 }
@@ -227,53 +299,104 @@ fn fit(
 ) -> Result {
     write!(
         f,
-        "change a dimension by which `{constraint}` can be met, {} is missing",
+        "change a dimension so that the gap of {} at `{constraint}` closes",
         number(missing)
     )?;
     match or_drop.len() {
         0 => Ok(()),
-        all if all == of => f.write_str(", or remove it"),
-        _ => write!(f, ", or drop {} of it", rows_named(or_drop)),
+        all if all == of => write!(f, ", or remove `{constraint}`"),
+        _ => write!(f, ", or drop its {}", rows_named(or_drop)),
     }
 }
 
 fn local(f: &mut Formatter<'_>, points: &[GlobalPoint]) -> Result {
     let one = |GlobalPoint { point, constraint, local, body, .. }: &GlobalPoint| {
-        format!("`{point}` of `{constraint}` the point {} of `{body}`", Point(local))
+        format!("`{point}` of `{constraint}` the point {} of `{body}`", Point::of(local))
     };
     let all: Vec<String> = points.iter().take(SHOWN).map(one).collect();
-    write!(f, "give {} (`m.local(body, point)` finds them)", all.join(", "))
+    let call = Surface::chosen().local("local", "body", "point");
+    write!(f, "give {}{call}", all.join(", "))
 }
 
-fn hold_idle(f: &mut Formatter<'_>, bodies: &[String]) -> Result {
-    let all = list(bodies);
-    write!(
-        f,
-        "hold the turn of {all} about its own axis, which moves nothing else, by `m.hold_idle_turns()`, or put a `distance` \
-         in its place"
-    )
-}
-
-/// Writes "let `motor` stay within reach, which ends near crank.theta = 0.7638, or make `coupler`
-/// at least 0.5607 long".
-fn limit(f: &mut Formatter<'_>, constraint: &str, asks: Option<&Asks>, or: &[Resize]) -> Result {
+/// "keep `motor` within reach, which ends near crank.theta = 0.7638, or make `coupler` at least
+/// 0.5607 m long"
+fn limit(
+    f: &mut Formatter<'_>,
+    constraint: &str,
+    asks: Option<&Asks>,
+    (or, unit): (&[Resize], &str),
+) -> Result {
     match asks.filter(|asks| asks.is_more_than_a_turn()) {
         Some(asks) => {
+            let radians = Surface::chosen().radians(asks.asked);
             write!(
                 f,
-                "give `{constraint}` radians, which `deg({:.1})` makes of degrees, or let it stay within reach",
-                asks.asked
+                "give `{constraint}` an angle in radians ({radians}), or keep it within reach"
             )?;
         }
-        None => write!(f, "let `{constraint}` stay within reach")?,
+        None => write!(f, "keep `{constraint}` within reach")?,
     }
-    if let Some(Asks { coordinate, stands, .. }) = asks {
-        write!(f, ", which ends near {coordinate} = {stands:.4}")?;
+    if let Some(Asks { coordinate, asked, stands, .. }) = asks {
+        let [_, stands] = different(*asked, *stands);
+        write!(f, ", which ends near {coordinate} = {stands}")?;
     }
-    or.iter().try_for_each(|resize| write!(f, ", or {resize}"))
+    or.iter().try_for_each(|resize| write!(f, ", or {}", resize.advice(unit)))
 }
 
 /// Writes "row x", "rows x, y".
 fn rows_named(rows: &[String]) -> String {
     format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, rows.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn pin(is: [f64; 2], fits: [f64; 2]) -> Resize {
+        let of =
+            Size::Point { constraint: "T2".to_string(), parameter: "u_i".to_string(), body: None };
+        Resize { of, is: is.to_vec(), fits: fits.to_vec(), exact: true }
+    }
+
+    fn length(is: f64, fits: f64, exact: bool) -> Resize {
+        Resize {
+            of: Size::Length { body: "rod".to_string() },
+            is: vec![is],
+            fits: vec![fits],
+            exact,
+        }
+    }
+
+    /// The present value and the one that fits never read alike, however near they are.
+    #[test]
+    fn advice_has_the_digits_of_its_difference() {
+        let told = |resize: Resize| {
+            let change = Change::Resize { any: vec![resize] };
+            [cause(&change, "m").unwrap(), In { change: &change, unit: "m" }.to_string()]
+        };
+        assert_eq!(
+            told(pin([4.0, 0.0], [4.0001, 0.0])),
+            [
+                "`T2` does not fit: it is at (4.0000, 0) m on the ground.",
+                "move `T2` from (4.0000, 0) to (4.0001, 0) m on the ground"
+            ]
+        );
+        assert_eq!(
+            told(length(1.0 + 5e-9, 1.0, true)),
+            ["`rod` does not fit: it is 1.000000005 m long.", "make `rod` 1.000 m long"]
+        );
+        // A bound keeps to its safe side.
+        assert_eq!(
+            told(length(0.1496, 0.15, false)),
+            ["`rod` does not fit: it is 0.1496 m long.", "make `rod` at least 0.1500 m long"]
+        );
+        assert_eq!(
+            told(length(6.1, 5.99964, false)),
+            ["`rod` does not fit: it is 6.100 m long.", "make `rod` at most 5.999 m long"]
+        );
+        assert_eq!(
+            told(length(0.150000012, 0.15000002366, false))[1],
+            "make `rod` at least 0.1501 m long"
+        );
+    }
 }

@@ -3,9 +3,9 @@
 use std::fmt::{Display, Formatter, Result};
 
 use super::diagnosis::Diagnosis;
-use super::gap::{Against, Gap, Step};
-use super::text::{SHOWN, number};
-use crate::model::words::list;
+use super::gap::{Against, Asks, Gap, Step};
+use super::text::SHOWN;
+use crate::model::words::{apart, different, list, number, value};
 
 /// A gap, with the constraints that conflict with it.
 pub(super) struct GapLine<'a>(pub &'a Gap, pub &'a Diagnosis);
@@ -25,54 +25,52 @@ impl Display for GapLine<'_> {
                 others.push(name.to_string());
             }
         }
-        let with = match others.is_empty() {
-            true => "with all others met".to_string(),
-            false => format!("with {}", self.named(&others)),
-        };
         let name = &gap.constraint;
-        // Near a step there may be a solution that the search does not find.
-        let (what, cannot) = match (gap.lasting, gap.steps.is_empty()) {
-            (true, _) => ("contradictory", "cannot be"),
-            (false, true) => ("out of reach", "cannot be"),
-            (false, false) => ("beside a step", "is not"),
+        let starts = match gap.starts {
+            0 | 1 => String::new(),
+            starts => format!(" (best of {starts} starting poses)"),
+        };
+        let others = match others.is_empty() {
+            true => "all other constraints".to_string(),
+            false => self.named(&others),
+        };
+        // Beside a step a solution may be near that no search finds.
+        let why = match (gap.lasting, gap.steps.is_empty()) {
+            (true, _) => format!("contradicts {others}:"),
+            (false, true) => format!("is out of reach: with {others}"),
+            (false, false) => format!("is not satisfied here: with {others}"),
         };
         match &gap.asks {
             Some(asks) => {
                 let coordinate = &asks.coordinate;
                 let [asked, stands] = different(asks.asked, asks.stands);
-                let turn = if asks.is_more_than_a_turn() {
-                    ", more than a turn from its guess"
-                } else {
-                    ""
-                };
+                let turn = beyond_a_turn(asks);
                 write!(
                     f,
-                    "{what}: `{name}` asks for {coordinate} = {asked}{turn}; {with} it stands at {stands}."
+                    "`{name}` requires {coordinate} = {asked}{turn}, which {why} the nearest value is {stands}{starts}."
                 )
             }
             None => {
-                let least = if gap.can_jump { "" } else { " at the least" };
-                write!(
-                    f,
-                    "{what}: `{name}` {cannot} met; {with} it is off by {}{least}.",
-                    number(gap.size())
-                )
+                let least = if gap.can_jump { "" } else { "at least " };
+                write!(f, "`{name}` {why} its error is {least}{}{starts}.", number(gap.size()))
             }
         }?;
-        gap.steps.iter().try_for_each(|step| write!(f, " {step}"))?;
-        match gap.starts {
-            0 | 1 => Ok(()),
-            starts => write!(f, " (The nearest of {starts} starts.)"),
-        }
+        gap.steps.iter().try_for_each(|step| write!(f, " {step}"))
     }
 }
 
+/// Says that a driver requires an angle that is more than a turn from its guess.
+fn beyond_a_turn(asks: &Asks) -> &'static str {
+    if asks.is_more_than_a_turn() { " (more than a turn from its guess)" } else { "" }
+}
 /// Writes "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
+
+/// "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
 impl Display for Step {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let Step { equation, coordinate, at, from, to, .. } = self;
-        let [from, to] = [from, to].map(|x| number(*x));
-        write!(f, "`{equation}` jumps at {coordinate} = {at:.4}, from {from} to {to}.")
+        let [from, to] = apart(&[*from], &[*to]).map(|one| one.concat());
+        write!(f, "`{equation}` jumps at {coordinate} = {}, from {from} to {to}.", value(*at))
     }
 }
 
@@ -89,7 +87,7 @@ impl GapLine<'_> {
                     } else {
                         ""
                     };
-                    format!("`{constraint}` ({} = {:.4}{turn})", asks.coordinate, asks.asked)
+                    format!("`{constraint}` ({} = {}{turn})", asks.coordinate, value(asks.asked))
                 }
                 None => format!("`{constraint}`"),
             });
@@ -101,10 +99,4 @@ impl GapLine<'_> {
         let more = (more > 0).then(|| format!("{more} more"));
         drivers.into_iter().take(SHOWN).chain(more).chain(others).collect::<Vec<_>>().join(", ")
     }
-}
-
-/// Writes two numbers with enough decimals to distinguish them, at least four.
-fn different(a: f64, b: f64) -> [String; 2] {
-    let with = |decimals: usize| [format!("{a:.decimals$}"), format!("{b:.decimals$}")];
-    (4..12).map(with).find(|[a, b]| a != b).unwrap_or_else(|| with(12))
 }

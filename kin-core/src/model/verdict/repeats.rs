@@ -65,10 +65,9 @@ impl Display for Line<'_> {
             .collect();
         equations.sort_unstable();
         let equations: Vec<String> = equations.into_iter().map(|(_, name)| name).collect();
-        let say = if others.len() == 1 { "says" } else { "say" };
         write!(
             f,
-            "redundant but consistent: {} repeat what {} {say}.",
+            "{} are redundant but consistent: they repeat {}.",
             list(&equations),
             list(&others)
         )

@@ -3,7 +3,7 @@
 use std::collections::HashSet;
 use std::fmt::{Display, Formatter, Result};
 
-use super::advice::cause;
+use super::advice::{In, cause};
 use super::change::Change;
 use super::dependency::{Class, Dependency, Level, Term};
 use super::diagnosis::Diagnosis;
@@ -12,7 +12,7 @@ use super::freedom::{BodyMotion, Freedom, How, Persistence, Play};
 use super::gap::Asks;
 use super::gap_line::GapLine;
 use super::repeats;
-use crate::model::words::{count, list, time};
+use crate::model::words::{capital, count, different, list, number, time};
 
 /// The largest number of dependencies and of freedoms in a report.
 pub(super) const SHOWN: usize = 6;
@@ -57,9 +57,8 @@ impl Diagnosis {
 
     fn write_details(&self, f: &mut Formatter<'_>) -> Result {
         if self.count_misleads() && self.gaps.is_empty() {
-            write!(
-                f,
-                "\n  The count is right by chance: what is superfluous hides what is missing."
+            f.write_str(
+                "\n  The numbers of equations and coordinates agree only by chance: a superfluous equation hides a missing one.",
             )?;
         }
         if self.gaps.is_empty() {
@@ -67,7 +66,12 @@ impl Diagnosis {
         }
         let told =
             |change: &&Change| !(self.gaps.is_empty() && matches!(change, Change::Resize { .. }));
-        let causes: Vec<String> = self.changes.iter().filter(told).filter_map(cause).collect();
+        let causes: Vec<String> = self
+            .changes
+            .iter()
+            .filter(told)
+            .filter_map(|change| cause(change, self.units.length()))
+            .collect();
         lines(f, &causes, "cause", "causes")?;
         self.gaps.iter().try_for_each(|gap| write!(f, "\n  {}", GapLine(gap, self)))?;
         if self.is_cured() {
@@ -106,23 +110,7 @@ impl Diagnosis {
     /// dimension.
     fn special(&self, f: &mut Formatter<'_>) -> Result {
         if self.rank < self.nearby_rank {
-            match &self.elsewhere {
-                Some(Elsewhere::Time(at)) => {
-                    let units = self.units.time();
-                    write!(
-                        f,
-                        "\n  A toggle or change point: begin at t = {} {units}, or step over this time.",
-                        time(*at)
-                    )?;
-                }
-                Some(Elsewhere::Drive { constraint, asks: Asks { coordinate, stands, .. } }) => {
-                    write!(
-                        f,
-                        "\n  A toggle or change point: let `{constraint}` begin at another value, such as {coordinate} = {stands:.3}."
-                    )?;
-                }
-                None => write!(f, "\n  A toggle or change point: begin, or step, elsewhere.")?,
-            }
+            f.write_str("\n  This pose is a toggle or change point.")?;
         }
         let stiff = || {
             self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Infinitesimal)
@@ -136,16 +124,37 @@ impl Diagnosis {
         if names.is_empty() {
             return Ok(());
         }
-        let (give, move_on) = if names.len() == 1 { ("gives", "moves") } else { ("give", "move") };
+        let verb = if names.len() == 1 { "yields" } else { "yield" };
         let all = list(&names);
         write!(
             f,
-            "\n  rigid, but shaky: {all} {give} a little, as bars in line do, and {move_on} no further"
+            "\n  The structure is rigid but shaky: {all} {verb} slightly, as bars in line do, and then no further."
         )?;
         let plays = stiff().filter_map(|freedom| freedom.play.as_ref());
-        match plays.reduce(|a, b| if b.moves > a.moves { b } else { a }) {
-            Some(play) => self.play(f, play),
-            None => f.write_str("."),
+        plays
+            .reduce(|a, b| if b.moves > a.moves { b } else { a })
+            .map_or(Ok(()), |play| self.play(f, play))
+    }
+
+    /// Says which pose is not singular: one at another time, with another value or dimension.
+    fn instead(&self, f: &mut Formatter<'_>) -> Result {
+        if self.rank >= self.nearby_rank || !self.gaps.is_empty() {
+            return Ok(());
+        }
+        match &self.elsewhere {
+            Some(Elsewhere::Time(at)) => {
+                let units = self.units.time();
+                write!(f, "\n  Begin at t = {} {units}, or step over this time.", time(*at))
+            }
+            Some(Elsewhere::Drive { constraint, asks }) => {
+                let Asks { coordinate, asked, stands, .. } = asks;
+                let [_, stands] = different(*asked, *stands);
+                write!(
+                    f,
+                    "\n  Let `{constraint}` begin at another value, such as {coordinate} = {stands}."
+                )
+            }
+            None => f.write_str("\n  Begin at another pose, or step over this time."),
         }
     }
 
@@ -153,7 +162,7 @@ impl Diagnosis {
     /// …".
     fn play(&self, f: &mut Formatter<'_>, Play { body, play, moves, turns }: &Play) -> Result {
         let length = self.units.length();
-        write!(f, ": a play of {play} {length} in every joint lets `{body}` ")?;
+        write!(f, "\n  A play of {play} {length} in every joint lets `{body}` ")?;
         match (*moves > 1e-3 * play, *turns > 0.0) {
             (true, true) => {
                 write!(f, "move by {} {length} and turn by {} rad", number(*moves), number(*turns))?
@@ -161,7 +170,7 @@ impl Diagnosis {
             (_, true) => write!(f, "turn by {} rad", number(*turns))?,
             _ => write!(f, "move by {} {length}", number(*moves))?,
         }
-        f.write_str("; a quarter of the play still gives half of that.")
+        f.write_str(". A quarter of that play allows half of that motion.")
     }
 
     /// Returns true if Kin has tested a change with which everything closes and moves. Its cause
@@ -169,7 +178,7 @@ impl Diagnosis {
     fn is_cured(&self) -> bool {
         self.equations >= self.coordinates
             && self.changes.iter().any(|change| {
-                cause(change).is_some()
+                cause(change, "").is_some()
                     && !matches!(change, Change::Join { .. } | Change::Pin { .. })
             })
     }
@@ -188,13 +197,26 @@ impl Diagnosis {
     }
 
     fn advice(&self, f: &mut Formatter<'_>) -> Result {
+        self.instead(f)?;
         if self.changes.is_empty() {
             return Ok(());
         }
-        let shown: Vec<String> = self.changes.iter().take(SHOWN).map(ToString::to_string).collect();
-        write!(f, "\n  Least change: {}", shown.join("; "))?;
-        more(f, self.changes.len(), "change", "changes")?;
-        f.write_str(".")
+        let unit = self.units.length();
+        // Another change, for users who do not want to allow a contradiction.
+        let is_other = |k: usize| k > 0 && matches!(self.changes[k - 1], Change::Allow { .. });
+        let sentence = |(k, change): (usize, &Change)| {
+            let text = In { change, unit }.to_string();
+            let text = if is_other(k) { format!("otherwise, {text}") } else { text };
+            capital(&text) + "."
+        };
+        let shown: Vec<String> =
+            self.changes.iter().take(SHOWN).enumerate().map(sentence).collect();
+        write!(f, "\n  {}", shown.join(" "))?;
+        match self.changes.len().saturating_sub(SHOWN) {
+            0 => Ok(()),
+            1 => f.write_str(" 1 more change is necessary."),
+            more => write!(f, " {more} more changes are necessary."),
+        }
     }
 }
 
@@ -219,23 +241,22 @@ impl Display for Dependency {
         let Some((own, others)) = self.terms.split_first() else { return Ok(()) };
         let name = &own.equation;
         match self.class {
-            Class::Redundant => write!(f, "redundant but consistent: `{name}`{}.", Sum(others)),
-            Class::OnlyHere => write!(f, "dependent only here: `{name}`{}.", Sum(others)),
+            Class::Redundant => {
+                write!(f, "`{name}` is redundant but consistent: `{name}`{}.", Sum(others))
+            }
+            Class::OnlyHere => {
+                write!(f, "`{name}` is dependent at this pose only: `{name}`{}.", Sum(others))
+            }
             Class::Contradictory { level, residual } => {
                 let what = match level {
-                    Level::Position => "cannot be met together",
-                    Level::Velocity => "ask for different velocities",
-                    Level::Acceleration => "ask for different accelerations",
+                    Level::Position => "contradict one another",
+                    Level::Velocity => "require different velocities",
+                    Level::Acceleration => "require different accelerations",
                 };
                 let names: Vec<String> =
                     self.constraints().iter().map(ToString::to_string).collect();
                 let off = number(residual.abs());
-                write!(
-                    f,
-                    "contradictory: {} {what}: `{name}`{}, and they are off by {off}.",
-                    list(&names),
-                    Sum(others)
-                )
+                write!(f, "{} {what}: `{name}`{} is violated by {off}.", list(&names), Sum(others))
             }
         }
     }
@@ -272,16 +293,14 @@ impl Display for Freedom {
         let shown: Vec<String> = self.motions.iter().take(SHOWN).map(ToString::to_string).collect();
         let what = shown.join(", ");
         match self.persistence {
-            Persistence::Always => write!(f, "freedom left: {what}")?,
-            Persistence::OnlyHere => write!(f, "free only here: {what}")?,
-            Persistence::Infinitesimal => write!(f, "gives a little, to first order only: {what}")?,
+            Persistence::Always => write!(f, "Nothing drives this freedom: {what}")?,
+            Persistence::OnlyHere => write!(f, "At this pose only, this motion is free: {what}")?,
+            Persistence::Infinitesimal => {
+                write!(f, "To first order only, this motion is free: {what}")?
+            }
         }
         more(f, self.motions.len(), "body", "bodies")?;
-        f.write_str(if self.persistence == Persistence::Always {
-            "; nothing drives it."
-        } else {
-            "."
-        })
+        f.write_str(".")
     }
 }
 
@@ -315,7 +334,7 @@ impl Display for BodyMotion {
                 let pitch = number(pitch);
                 write!(
                     f,
-                    "{} about the axis through {} along {}, {pitch} a radian",
+                    "{} about the axis through {} along {}, {pitch} per radian",
                     verb("screws"),
                     Vector(point),
                     Vector(axis)
@@ -333,19 +352,5 @@ impl Display for Vector {
         let largest = self.0.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let [x, y, z] = self.0.map(|x| number(if x.abs() < 1e-6 * largest { 0.0 } else { x }));
         write!(f, "({x}, {y}, {z})")
-    }
-}
-
-/// Writes three decimals, or three digits of a smaller number; a number far from 1 as a power of
-/// ten.
-pub(super) fn number(x: f64) -> String {
-    match x.abs() {
-        0.0 => "0.000".to_string(),
-        size if (0.1..1e4).contains(&size) => format!("{x:.3}"),
-        size if size < 1e-12 => "0.000".to_string(),
-        size if (1e-4..0.1).contains(&size) => {
-            format!("{x:.decimals$}", decimals = (2.0 - size.log10().floor()) as usize)
-        }
-        _ => format!("{x:.2e}"),
     }
 }

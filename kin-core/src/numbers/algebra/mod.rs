@@ -28,7 +28,7 @@ pub use vec3::{Vec3, vec3};
 /// array, a tuple. Joints and the methods of vectors accept them.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector of {N} components",
-    label = "{N} components are wanted here",
+    label = "{N} components are required here",
     note = "a vector of the plane is `vec2(x, y)` or `(x, y)`, one of space `vec3(x, y, z)` or `(x, y, z)`; numbers have a point, as `1.0`"
 )]
 pub trait Components<const N: usize> {

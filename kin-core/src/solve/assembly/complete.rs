@@ -115,7 +115,7 @@ impl Account {
             None if found == 0 => (
                 Complete::Unknown,
                 format!(
-                    "none of {starts} starts led to an assembly; a diagnosis says how near the parts can come"
+                    "none of {starts} starts led to an assembly; a diagnosis reports how near the parts can come"
                 ),
             ),
             None if self.is_affine => (

@@ -299,7 +299,7 @@ impl<'a> Search<'a> {
             .is_ok_and(|point| model.rank(&point.values, &model.measure(q, t)) == model.n());
         if !is_regular {
             self.account.doubt(|| {
-                format!("assembly `{label}` is singular: it may be one of a family of poses, of which a list shows only some")
+                format!("assembly `{label}` is singular: it may belong to a family of poses, and a list shows only some of them")
             });
         }
     }

@@ -122,7 +122,7 @@ pub(crate) fn at_least_one(limit: usize, what: &str) -> Result<()> {
     if limit > 0 {
         return Ok(());
     }
-    Err(Error::InvalidOptions { reason: format!("no {what} are allowed; allow one at least") })
+    Err(Error::InvalidOptions { reason: format!("the number of {what} is 0. Allow at least one") })
 }
 
 /// A time limit that has begun.

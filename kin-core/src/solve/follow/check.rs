@@ -69,11 +69,11 @@ impl Objection {
 
     pub(crate) fn reason(self) -> &'static str {
         match self {
-            Objection::Long => "a step of time turns a body too far",
-            Objection::Missed(_) => "the next position is not where this one leads",
+            Objection::Long => "a body turns too far in one time step",
+            Objection::Missed(_) => "the next position differs from the predicted one",
             Objection::TurnedOver => "a loop of the mechanism has turned over",
             Objection::Hidden => {
-                "what drives may move further within a step of time than its ends tell"
+                "a driver may move further within a time step than between its ends"
             }
         }
     }

@@ -70,7 +70,7 @@ impl Motion {
 fn ordered(times: &[f64]) -> Result<()> {
     let bad = |reason: String| Err(Error::InvalidTimes { reason });
     if let Some(t) = times.iter().find(|t| !t.is_finite()) {
-        return bad(format!("t is {t}; give finite times"));
+        return bad(format!("t is {t}. Give finite times"));
     }
     let up = times.windows(2).all(|pair| pair[0] < pair[1]);
     let down = times.windows(2).all(|pair| pair[0] > pair[1]);

@@ -7,7 +7,7 @@ use super::Motion;
 use crate::model::error::surface::Surface;
 use crate::model::layout::{Item, Kind};
 use crate::model::motion::{Warning, WarningKind};
-use crate::model::words::count;
+use crate::model::words::{count, number};
 use crate::numbers::algebra::{EulerParameters, Vec3};
 use crate::solve::first_run::{is_usual, shown};
 
@@ -51,7 +51,10 @@ impl Motion {
         let told: Vec<String> =
             displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
         if !told.is_empty() {
-            text += &format!("\n  first position, from where it is drawn: {}", told.join(", "));
+            text += &format!(
+                "\n  distance of the first position from the drawn one: {}",
+                told.join(", ")
+            );
         }
         for warning in self.warnings() {
             text += &format!("\n  warning: {warning}");
@@ -63,14 +66,14 @@ impl Motion {
     fn by_engine(&self) -> String {
         match (self.engine.compiled, self.why_not_compiled()) {
             (0, None) => String::new(),
-            (0, Some(reason)) => format!("\n  plain steps: {reason}"),
+            (0, Some(reason)) => format!("\n  engine: step by step, because {reason}"),
             (compiled, _) => {
                 let back = match self.engine.handed_back {
                     0 => String::new(),
-                    1 => ", which left the rest of a block to plain steps once".to_string(),
-                    back => format!(", which left the rest of a block to plain steps {back} times"),
+                    1 => ", and returned to single steps once".to_string(),
+                    back => format!(", and returned to single steps {back} times"),
                 };
-                format!("\n  {compiled} of {} by a program{back}", count(self.len(), "time"))
+                format!("\n  engine: {compiled} of {} compiled{back}", count(self.len(), "time"))
             }
         }
     }
@@ -82,9 +85,9 @@ impl Motion {
         let most = steps.last().copied().unwrap_or(0);
         let newton = match (steps.get(steps.len() / 2).copied().unwrap_or(0), rest.is_empty()) {
             (_, true) => String::new(),
-            (0, _) if most == 0 => "predictions met the equations at all times, ".to_string(),
+            (0, _) if most == 0 => "predictions satisfied the equations at all times, ".to_string(),
             (0, _) => format!(
-                "predictions met the equations at most times (else {} at most), ",
+                "predictions satisfied the equations at most times (otherwise at most {}), ",
                 count(most, "Newton step")
             ),
             (usual, _) => format!("{} a time (worst {most}), ", count(usual, "Newton step")),
@@ -99,7 +102,7 @@ impl Motion {
         let misfit = match self.misfit {
             misfit if misfit > 0.0 => {
                 format!(
-                    ", equations contradict one another by {misfit:.1e} of the mechanism's size, which was allowed"
+                    ", allowed contradiction of the equations: {misfit:.1e} of the mechanism's size"
                 )
             }
             _ => String::new(),
@@ -225,8 +228,10 @@ impl Motion {
 impl Displacement {
     /// Writes "`plate` 2.50 m and 0.30 rad".
     fn sentence(&self, unit: &str) -> Option<String> {
-        let length =
-            self.moved.filter(|moved| *moved > 0.0).map(|moved| format!("{moved:.4} {unit}"));
+        let length = self
+            .moved
+            .filter(|moved| *moved > 0.0)
+            .map(|moved| format!("{} {unit}", number(moved)));
         let angle =
             self.turned.filter(|turned| *turned > THERE).map(|turned| format!("{turned:.3} rad"));
         let both: Vec<String> = length.into_iter().chain(angle).collect();

@@ -211,7 +211,7 @@ fn wanted(
     times: usize,
     options: &SolverOptions,
 ) -> Result<(Wanted, Option<&'static str>)> {
-    let stands_in_the_way = (!options.predict).then_some("a program always predicts");
+    let stands_in_the_way = (!options.predict).then_some("compiled runs always predict");
     match (options.engine, stands_in_the_way) {
         (Engine::StepByStep, _) => Ok((Wanted::Plain, None)),
         (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
@@ -219,10 +219,11 @@ fn wanted(
             reason: format!("{reason}; {} for that", Surface::chosen().any_engine()),
         }),
         (Engine::Auto, _) if !pays(system, times, options) => Ok((Wanted::Plain, None)),
-        // The protocol of published comparisons uses single steps.
-        (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => {
-            Ok((Wanted::Plain, Some("a stop rule by the residual alone is that of plain steps")))
-        }
+        // The protocol of published comparisons is that of single steps.
+        (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => Ok((
+            Wanted::Plain,
+            Some("only the step-by-step solver has a stop rule by the residual alone"),
+        )),
         (Engine::Auto, None) => Ok((Wanted::Tried, None)),
         (Engine::Auto, reason) => Ok((Wanted::Plain, reason)),
     }

@@ -32,7 +32,7 @@ impl Default for Stop {
     }
 }
 
-/// SolverOptions of runs, single positions, sweeps, diagnoses and searches for assemblies.
+/// Options of runs, single positions, sweeps, diagnoses and searches for assemblies.
 ///
 /// Every field has a default and a setter of the same name.
 ///
@@ -97,59 +97,62 @@ pub struct SolverOptions {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
-    /// A program where one can be made and pays, for which there have to be a thousand times at
-    /// least, or 32 after a call of [`crate::System::compile`], which makes one without the jerk;
-    /// else plain steps. Plain too are runs without prediction, and with [`Stop::ResidualOnly`],
-    /// and all runs on a machine without AVX2 and FMA, AVX-512 or Neon. The times of all cases of a
-    /// sweep count together, where each has 24 at least. [`crate::Motion::engine`] tells how many
-    /// times a program has computed, [`crate::Motion::why_not_compiled`] what stood in the way of
-    /// one.
+    /// Uses the compiled program where it is possible and faster, else the step-by-step solver. The
+    /// program is faster from about a thousand times on, or from 32 after a call of
+    /// [`crate::System::compile`]. In a sweep the times of all cases count together, if each case
+    /// has at least 24.
     ///
-    /// A program is kept for the next run that begins at the same time and position, until anything
-    /// is set in the system.
+    /// Runs without prediction, runs with [`Stop::ResidualOnly`], and all runs on a machine without
+    /// AVX2 and FMA, AVX-512 or Neon go step by step. [`crate::Motion::engine`] says how many times
+    /// the program computed, [`crate::Motion::why_not_compiled`] why it did not.
+    ///
+    /// Kin keeps the program for the next run that begins at the same time and position, until you
+    /// set a value of the system.
     #[default]
     Auto,
-    /// Constraint by constraint, one time after the other.
+    /// Evaluates constraint by constraint, one time after the other.
     StepByStep,
-    /// All equations as one program ([`crate::System::compile`]), many times at once. Every time is
-    /// judged as plain steps are; where there is an objection plain steps go on from the last time
-    /// that was accepted. Numbers agree to the tolerance of [`SolverOptions::stop`], not to the
-    /// last digit.
+    /// Computes many times at once by one program of all equations ([`crate::System::compile`]).
+    /// Each time passes the same checks as in the step-by-step solver. If a check fails, the
+    /// step-by-step solver continues from the last accepted time. Numbers agree to the tolerance of
+    /// [`SolverOptions::stop`], not to the last digit.
     ///
-    /// Where an equation chooses another side of an `if` of coordinates, or a `floor` of them
-    /// jumps, the block of times ends and plain steps go on. A value of time that only rustc can
-    /// read is asked for each time.
+    /// Where an equation takes another branch of an `if` of coordinates, or a `floor` of
+    /// coordinates jumps, the step-by-step solver continues. Kin evaluates a function of time that
+    /// only rustc can read once for each time.
     ///
-    /// A mechanism that cannot be compiled is an error that names why not: it has more equations
-    /// than coordinates, an equation that is not known as a formula, or a function of coordinates
+    /// Errors: a mechanism that cannot be compiled. The error names why: more equations than
+    /// coordinates, an equation that Kin does not know as a formula, or a function of coordinates
     /// that only rustc can read.
     Compiled,
 }
 
 /// How a run follows its branch.
 ///
-/// A step that cannot be shown to stay on its branch is taken in smaller ones, which are not kept:
-/// a coarse grid gives the same motion as a fine one. Each drive is asked for its bounds between
-/// both times ([`crate::model::law::LawFunction::over`]): a motor that goes out and comes back
-/// within a step is followed. A law of one's own without bounds, and constraints on the dual route
-/// or written by hand in which time stands, are sampled at the eighths of each step instead; what
-/// they do between those is not seen. A run takes ten million smaller steps times coordinates at
-/// most, some seconds' worth, and twenty for each of its times. Where more would lead to the next
-/// time, the run ends with [`crate::Error::CannotFollow`]: give times that are nearer to one
-/// another, or a larger [`SolverOptions::effort`]. A toggle ends the run with
-/// [`crate::Error::Toggle`] at its time; change points are passed, and told by
-/// [`crate::Motion::singular_positions`]. Mechanisms with redundant equations are checked by
-/// prediction alone: at a singular position their runs end.
+/// If a run cannot show that a step stays on its branch, it takes smaller steps in between, which
+/// it does not keep. So a coarse grid gives the same motion as a fine one.
+///
+/// * *Drives:* Kin evaluates the bounds of each drive between both times
+///   ([`crate::extend::LawFunction::over`]), so it follows a motor that goes out and comes back
+///   within a step. Without bounds Kin samples at the eighths of the step, and does not see what
+///   happens between the samples. This concerns user-defined laws without bounds, and constraints
+///   on the dual route or by hand that contain time.
+/// * *Work:* a run takes at most ten million smaller steps times coordinates, some seconds' worth,
+///   and twenty for each of its times. A run that needs more ends with
+///   [`crate::Error::CannotFollow`]. Then give closer times or a larger [`SolverOptions::effort`].
+/// * *Singular positions:* a toggle ends the run with [`crate::Error::Toggle`] at its time. A run
+///   passes change points, and [`crate::Motion::singular_positions`] lists them. With redundant
+///   equations Kin checks steps by prediction alone, and the run ends at a singular position.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
-    /// Nothing is checked: whatever position Newton's method finds is taken. On a coarse grid it
-    /// can be one of another assembly.
+    /// Accepts each position that Newton's method finds, without a check. On a coarse grid this can
+    /// be a position of another assembly.
     Unchecked,
-    /// Checked; at a change point the run goes on smoothly (q̇ and q̈ do not jump).
+    /// Checks each step. At a change point the run continues smoothly (q̇ and q̈ do not jump).
     #[default]
     Smooth,
-    /// Checked; at the change points with these numbers, counted from 0 in the order in which the
-    /// run meets them, it turns into the other branch.
+    /// Checks each step. At the change points with these numbers the run takes the other branch;
+    /// they count from 0 in the order of the run.
     OtherBranchAt(Vec<usize>),
 }
 
@@ -261,14 +264,14 @@ impl SolverOptions {
             let misfit = self.allowed_misfit;
             return Err(Error::InvalidOptions {
                 reason: format!(
-                    "the allowed misfit is {misfit}; give a share of the size from 0 to 0.1"
+                    "the allowed misfit is {misfit}. Give a fraction of the mechanism's size from 0 to 0.1"
                 ),
             });
         }
         if !(self.effort.is_finite() && self.effort > 0.0) {
             let effort = self.effort;
             return Err(Error::InvalidOptions {
-                reason: format!("the effort is {effort}; give a positive number such as 10"),
+                reason: format!("the effort is {effort}. Give a positive number such as 10"),
             });
         }
         let (Stop::Converged { tolerance } | Stop::ResidualOnly(tolerance)) = self.stop;
@@ -276,7 +279,7 @@ impl SolverOptions {
             return Ok(());
         }
         Err(Error::InvalidOptions {
-            reason: format!("the tolerance is {tolerance}; give a positive number such as 1e-13"),
+            reason: format!("the tolerance is {tolerance}. Give a positive number such as 1e-13"),
         })
     }
 }

@@ -39,7 +39,7 @@ impl Reader {
                     &index.index,
                     format!("a Mat{n} has rows and columns 0 to {}", n - 1),
                 )),
-                _ => Err(Unreadable::new(&index.index, "an index that is not known here")),
+                _ => Err(Unreadable::new(&index.index, "an unknown index")),
             },
             (Value::Opaque(base), at) => {
                 let at = self.template(at, &index.index)?;
@@ -52,7 +52,7 @@ impl Reader {
                 let arguments = vec![Value::Adt(adt), at];
                 match self.own_method(&ty, "index", arguments, index)? {
                     Some(value) => Ok(self.loaded(value)),
-                    None => Err(Unreadable::new(&index.index, "an index of a type of your own")),
+                    None => Err(Unreadable::new(&index.index, "an index of a user-defined type")),
                 }
             }
             (base, Value::Integer(k, _)) => Ok(self.element(&base, k, index)),
@@ -80,7 +80,7 @@ impl Reader {
                 Value::Integer(k, _) => {
                     usize::try_from(k).map_err(|_| Unreadable::new(end, "an index out of range"))
                 }
-                _ => Err(Unreadable::new(end, "an index that is not known here")),
+                _ => Err(Unreadable::new(end, "an unknown index")),
             },
         };
         let from = bound(&range.start, 0)?;
@@ -120,7 +120,7 @@ impl Reader {
                 let all = Template::Numbers(nodes, shape, crate::lower::first_span(&index.expr));
                 Ok(Value::Opaque(Template::Index(Box::new(all), Box::new(at))))
             }
-            _ => Err(Unreadable::new(&index.index, "an index that is not known here")),
+            _ => Err(Unreadable::new(&index.index, "an unknown index")),
         }
     }
 }

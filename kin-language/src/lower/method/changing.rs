@@ -132,7 +132,7 @@ impl Reader {
             Value::Integer(k, _) => {
                 usize::try_from(k).map_err(|_| Unreadable::new(at, "a count out of range"))
             }
-            _ => Err(Unreadable::new(at, "a count that is not known here")),
+            _ => Err(Unreadable::new(at, "an unknown count")),
         }
     }
 
@@ -143,7 +143,7 @@ impl Reader {
         arguments: Vec<Value>,
         whole: &ExprMethodCall,
     ) -> Read<Option<Value>> {
-        let unknown = || Unreadable::new(&whole.method, "an index that is not known here");
+        let unknown = || Unreadable::new(&whole.method, "an unknown index");
         let arguments: Vec<Value> = arguments.into_iter().map(|value| self.loaded(value)).collect();
         let counts: Vec<usize> = arguments.iter().map_while(count).collect();
         if let Some(places) = places_in(place, all.len(), &arguments, &counts, whole) {

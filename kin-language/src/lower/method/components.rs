@@ -189,7 +189,7 @@ impl Reader {
                     self.mistake(call.places[0], format!("a Mat{n} has no {name} {k}"))
                 }
                 _ => {
-                    return Err(Unreadable::new(call.places[0], "an index that is not known here"));
+                    return Err(Unreadable::new(call.places[0], "an unknown index"));
                 }
             },
         })

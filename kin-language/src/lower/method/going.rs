@@ -17,7 +17,7 @@ impl Reader {
             Some(Value::Integer(k, _)) => usize::try_from(*k)
                 .map_err(|_| Unreadable::new(call.places[0], "an index out of range"))?,
             Some(_) => {
-                return Err(Unreadable::new(call.places[0], "an index that is not known here"));
+                return Err(Unreadable::new(call.places[0], "an unknown index"));
             }
         };
         let option = |value: Option<Value>| Ok(value.map_or(Value::none(), Value::some));

@@ -199,7 +199,7 @@ impl Reader {
         let count = match count {
             Value::Integer(k, _) => usize::try_from(k)
                 .map_err(|_| Unreadable::new(call.places[0], "a count out of range"))?,
-            _ => return Err(Unreadable::new(call.places[0], "a count that is not known here")),
+            _ => return Err(Unreadable::new(call.places[0], "an unknown count")),
         };
         let lists = |parts: Vec<Vec<Value>>| parts.into_iter().map(Value::Array).collect();
         Ok(Value::Iterator(match (call.name.as_str(), count) {
@@ -257,9 +257,8 @@ impl Reader {
                     _ => None,
                 }
             });
-            return sum.ok_or_else(|| {
-                Unreadable::new(&call.whole.method, "a sum of integers not known here")
-            });
+            return sum
+                .ok_or_else(|| Unreadable::new(&call.whole.method, "a sum of unknown integers"));
         }
         let shape = given
             .and_then(crate::parse::shape)

@@ -108,10 +108,9 @@ impl Reader {
             (Value::Spatial(slot), ..) => self.state_method(slot, 3, &call),
             (Value::Law(law), ..) => self.law_method(law, &call),
             (Value::Array(all), ..) => self.list_method(all, true, call),
-            (Value::Into(_) | Value::Generator(_), ..) => Err(Unreadable::new(
-                &whole.method,
-                "a method of a value whose type is not known here",
-            )),
+            (Value::Into(_) | Value::Generator(_), ..) => {
+                Err(Unreadable::new(&whole.method, "a method of a value of unknown type"))
+            }
             (Value::Condition(holds), ..) => self.condition_method(holds, &call),
             (other, ..) => Ok(self.unknown(&call, &other.name(), "")),
         }
@@ -198,7 +197,7 @@ impl Reader {
                 return Ok(self.unknown(
                     call,
                     "a Law",
-                    "; ask it for a value with `.at(x)`, for its derivative with `.slope(x)`",
+                    "; get a value with `.at(x)`, for its derivative with `.slope(x)`",
                 ));
             }
         };

@@ -31,7 +31,7 @@ impl Reader {
         if applies || call.arguments.iter().any(|value| matches!(value, Value::Iterator(_))) {
             return Err(Unreadable::new(
                 &call.whole.method,
-                "a closure handed to a function of your own",
+                "a closure passed to a user-defined function",
             ));
         }
         let numbers = !template.nodes().is_empty()

@@ -138,11 +138,9 @@ impl Reader {
             ("cmp" | "eq" | "ne", _) => {
                 Err(Unreadable::new(&call.whole.method, format!("`{}` of a condition", call.name)))
             }
-            _ => Ok(self.unknown(
-                call,
-                "a condition",
-                "; a number of it is `if … { 1.0 } else { 0.0 }`",
-            )),
+            _ => {
+                Ok(self.unknown(call, "a condition", "; convert it by `if … { 1.0 } else { 0.0 }`"))
+            }
         }
     }
 }

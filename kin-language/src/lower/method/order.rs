@@ -46,10 +46,10 @@ impl Reader {
                     at,
                     &format!("this must be an order, `a.total_cmp(b)`, but it is {}", other.name()),
                 )
-                .ok_or_else(|| Unreadable::new(at, "an order that is not known here"))?;
+                .ok_or_else(|| Unreadable::new(at, "an unknown order"))?;
                 Ok(self.graph.bool(false))
             }
-            _ => Err(Unreadable::new(at, "an order that is not known here")),
+            _ => Err(Unreadable::new(at, "an unknown order")),
         }
     }
 

@@ -89,7 +89,7 @@ impl Reader {
                 let power = Template::Method(Box::new(number(x, at)), quote!(powi), vec![exponent]);
                 Ok(Value::Scalar(self.scalar(Value::Opaque(power), at)))
             }
-            Value::Opaque(_) => Err(Unreadable::new(place, "an exponent that is not known here")),
+            Value::Opaque(_) => Err(Unreadable::new(place, "an unknown exponent")),
             other => Ok(self.mistake(
                 place,
                 format!(
@@ -163,7 +163,7 @@ impl Reader {
             _ => (1, format!("x.{name}()")),
         };
         let text = counted(&format!("`{name}`"), takes, "number", given);
-        self.mistake(at, format!("{text}: it is written `{form}`"))
+        self.mistake(at, format!("{text}: write `{form}`"))
     }
 
     pub(super) fn integer_method(&mut self, k: i64, ty: Option<IntegerType>, call: &Call) -> Read {
@@ -175,7 +175,7 @@ impl Reader {
                 _ => {
                     return Err(Unreadable::new(
                         call.places[0],
-                        "integer arithmetic with something not known here",
+                        "integer arithmetic with something unknown",
                     ));
                 }
             },

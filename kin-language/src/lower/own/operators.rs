@@ -81,7 +81,7 @@ impl Reader {
             if let (Value::Adt(Adt { name, .. }), true) = (value, number)
                 && matches!(name.as_str(), "Some" | "None" | "Ok" | "Err")
             {
-                let text = "this may be no number: take it apart with `if let Some(x) = …`, or say what else it is, `.unwrap_or(0.0)`";
+                let text = "this may hold no number: match it with `if let Some(x) = …`, or give a default, `.unwrap_or(0.0)`";
                 return Ok(self.mistake(place, text));
             }
         }

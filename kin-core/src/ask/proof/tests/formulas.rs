@@ -105,7 +105,7 @@ fn why_a_formula_cannot_be_read() {
     };
     const LAW: &str = "\nparameters\nrows 1\n- Time\n- Law 0 0 0";
     assert_eq!(reason(LAW, Law::ramp(1.0)), "");
-    assert!(reason(LAW, Law::new(Silent)).contains("no bounds over an interval are known"));
+    assert!(reason(LAW, Law::new(Silent)).contains("Kin has no bounds of its law"));
     let rounded = reason("\nparameters\nrounded\nrows 0\n- Column 0", Law::ramp(1.0));
     assert_eq!(rounded, "its constants are rounded before they can be read");
     assert_eq!(
@@ -114,7 +114,7 @@ fn why_a_formula_cannot_be_read() {
     );
     assert!(
         reason("\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0", Law::ramp(1.0))
-            .contains("it calls a function of yours")
+            .contains("it calls a user-defined function")
     );
     static READ: Table = Table::new("law.rs", "\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0");
     assert!(READ.law_over(&over(0.0, 1.0), &[], &nothing_outside).is_none());
@@ -414,7 +414,7 @@ fn one_constraint_alone() {
         .and_then(|_| m.build())
         .map(|system| Bounds::new(&system).map(|_| ()).unwrap_err().to_string());
     assert!(
-        error.as_ref().is_ok_and(|error| error.contains("its steps are too many to be kept")),
+        error.as_ref().is_ok_and(|error| error.contains("its equation has too many operations")),
         "{error:?}"
     );
 }

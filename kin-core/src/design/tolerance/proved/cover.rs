@@ -7,6 +7,7 @@ use super::super::source::Source;
 use super::equations::Equations;
 use super::sheet::{Fault, Sheet, sheet};
 use crate::model::error::{Error, Result};
+use crate::model::words::value;
 use crate::numbers::enclosure::interval::{Interval, down, up};
 use crate::system::System;
 
@@ -196,14 +197,16 @@ impl Cover<'_> {
     /// Builds the error that nothing is proved, with the place.
     fn refusal(&self, fault: &Fault, sides: &[Interval]) -> Error {
         let d = self.names.len();
-        let at =
-            self.names.iter().zip(sides).map(|(name, side)| format!("{name} = {:.5}", side.mid()));
-        let times = sides[d..].iter().map(|side| format!("t = {:.5}", side.mid()));
+        let at = self
+            .names
+            .iter()
+            .zip(sides)
+            .map(|(name, side)| format!("{name} = {}", value(side.mid())));
+        let times = sides[d..].iter().map(|side| format!("t = {}", value(side.mid())));
         let at = at.chain(times).collect::<Vec<_>>().join(", ");
         let reason = match fault {
             Fault::Singular => format!(
-                "near {at} C_q may be singular, so that some mechanisms within the tolerances may not be \
-                 assembled, or jump to another branch; `samples` counts them"
+                "near {at} the pose may be singular: some mechanisms within the tolerances may not assemble, or may change branch. `samples` counts them"
             ),
             Fault::Unknown(unknown) => {
                 let equation = self.system.equations().equation(unknown.row);
@@ -211,7 +214,7 @@ impl Cover<'_> {
                 let expression =
                     expression.map(|(text, _)| format!(": `{text}` jumps there, or has no slope"));
                 format!(
-                    "near {at} no bounds of `{equation}` are known{}",
+                    "near {at} Kin knows no bounds of `{equation}`{}",
                     expression.unwrap_or_default()
                 )
             }

@@ -60,7 +60,7 @@ impl<'a> Equations<'a> {
                     let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
                     return Err(refused(
                         &own,
-                        "is an axis that hangs on dimensions, which has no bounds",
+                        "is an axis that depends on dimensions, and Kin has no bounds of it",
                     ));
                 }
                 _ => continue,
@@ -227,18 +227,17 @@ fn parameter(
         let Formula { graph, rows, parameters, .. } = table.formula();
         let k = parameters.iter().position(|known| known == name);
         let law =
-            "is a coefficient of a law, of which bounds are known at one value only; take its tolerance away";
+            "is a coefficient of a law, of which Kin has bounds at one value only. Remove its tolerance";
         let k = k.ok_or(law)?;
         if graph.reachable(rows).into_iter().any(|node| is_foreign(graph, node, k)) {
             return Err(
-                "goes into a function of yours, of which bounds are known at one value only; write its \
-                        expression out",
+                "goes into a user-defined function, of which Kin has bounds at one value only. Write out its expression",
             );
         }
         let held = values.get(k).is_some_and(|held| value.value().contains(*held));
         held.then_some(k).ok_or("is not the number that its dimensions give")
     });
-    found.unwrap_or(Err("is not read by an equation that is known as steps"))
+    found.unwrap_or(Err("is in no equation that Kin knows as a formula"))
 }
 
 /// Returns true if a function that only the user's program can compute reads that parameter.

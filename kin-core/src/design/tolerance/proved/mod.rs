@@ -27,7 +27,9 @@ use std::cell::Cell;
 
 use super::super::feature::{Followed, Term, first};
 use super::source::Source;
+use super::text::digits;
 use crate::ask::measure::Measure;
+use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::numbers::enclosure::interval::{Interval, ZERO, up};
 use cover::{Cover, Covered, Node};
@@ -100,9 +102,10 @@ pub(super) fn proved<M: Measure>(
     let motion = followed.motion;
     let coordinate = followed.what.coordinate(system).ok_or_else(|| Error::CannotBeProved {
         what: format!("the worst case of {}", followed.name),
-        reason: "bounds are known of coordinates only; give the mechanism a coordinate for it \
-                 (`m.length(…)`, `m.angle(…)`) with an equation that says what it is"
-            .to_string(),
+        reason: format!(
+            "Kin has bounds of coordinates only. {}, with an equation that defines it",
+            Surface::chosen().coordinate()
+        ),
     })?;
     let nominal = names.iter().map(|name| system.parameter(name)).collect::<Result<Vec<f64>>>()?;
     let sizes = system.sizes_of(motion);
@@ -220,7 +223,7 @@ impl Proof<'_> {
             return Ok(nodes);
         }
         Err(cover.refused(
-            "the positions of the box are not shown to be those of the motion".to_string(),
+            "Kin cannot prove that the positions of the box belong to the motion".to_string(),
         ))
     }
 
@@ -236,7 +239,8 @@ impl Proof<'_> {
         let Some(halves) = halves else {
             let t = node.sides.last().map_or(f64::NAN, |side| side.mid());
             let reason = format!(
-                "that it turns round before t = {t:.5} whatever the dimensions is not shown"
+                "Kin cannot prove that it reverses before t = {} for all dimensions",
+                digits(t, 5)
             );
             return Err(self.cover.refused(reason));
         };

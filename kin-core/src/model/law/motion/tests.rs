@@ -191,7 +191,7 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
     let said = |law: Law| law.refusal().unwrap_or_default();
     let words = |kind: &str| {
         format!(
-            "{kind}: speed, acceleration and jerk are above zero; the sign is that of the distance"
+            "{kind}: speed, acceleration and jerk must be above zero; the distance has the sign"
         )
     };
     for wrong in [0.0, -1.0] {
@@ -208,7 +208,7 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
     }
     assert_eq!(
         said(Law::s_curve(1.0, 1.0, 1.0, f64::INFINITY)),
-        "jerk is inf; give a finite number"
+        "jerk is inf. Give a finite number"
     );
     // A law that is refused has no pieces, and is the distance from 0 on.
     for law in [

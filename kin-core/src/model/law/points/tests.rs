@@ -59,11 +59,11 @@ fn tables_that_make_no_sense() {
     );
     assert_eq!(
         said(&[(0.0, 1.0), (1.0, f64::NAN)], Ends::Natural),
-        "spline: point 2 is (1, NaN); give finite numbers"
+        "spline: point 2 is (1, NaN). Give finite numbers"
     );
     assert_eq!(
         said(&[(f64::NEG_INFINITY, 1.0), (1.0, 0.0)], Ends::Natural),
-        "spline: point 1 is (-inf, 1); give finite numbers"
+        "spline: point 1 is (-inf, 1). Give finite numbers"
     );
     assert_eq!(
         said(&[(0.0, 1.0), (1.0, 0.0), (1.0, 2.0)], Ends::Natural),
@@ -75,7 +75,7 @@ fn tables_that_make_no_sense() {
     );
     assert_eq!(
         said(&[(0.0, 1.0), (f64::NAN, 2.0), (1.0, f64::NAN)], Ends::Natural),
-        "spline: point 2 is (NaN, 2); give finite numbers"
+        "spline: point 2 is (NaN, 2). Give finite numbers"
     );
     let twice = [(0.0, 1.0), (-1.0, 0.0), (2.0, 0.0), (1.0, 0.0)];
     assert_eq!(

@@ -187,20 +187,20 @@ fn sequences_that_make_no_sense() {
     assert_eq!(said(&[]), "sequence: there is no part in it");
     assert_eq!(
         said(&[(1.0, constant(0.0)), (0.0, constant(0.0))]),
-        "part 2 of the sequence has the length 0; give one above zero"
+        "part 2 of the sequence has the length 0. Give a value above zero"
     );
     assert_eq!(
         said(&[(-1.0, constant(0.0))]),
-        "part 1 of the sequence has the length -1; give one above zero"
+        "part 1 of the sequence has the length -1. Give a value above zero"
     );
     assert_eq!(
         said(&[(f64::INFINITY, constant(0.0))]),
-        "part[0].length is inf; give a finite number"
+        "part[0].length is inf. Give a finite number"
     );
     let bad = Law::cycloidal(1.0, 0.0);
     assert_eq!(
         said(&[(1.0, constant(0.0)), (1.0, bad)]),
-        "part 2 of the sequence: cycloidal: the length of a rise is above zero (length = 0)"
+        "part 2 of the sequence: cycloidal: the length of a rise must be above zero (length = 0)"
     );
     let parts = [
         (1.0, constant(1.0)),
@@ -336,11 +336,11 @@ fn laws_that_do_not_repeat_and_their_parameters() {
         said(Law::ramp(1.0), 2.0),
         "the law does not repeat after 2: it begins at 0 and ends at 2"
     );
-    assert_eq!(said(Law::ramp(1.0), 0.0), "periodic: the period is above zero (period = 0)");
-    assert_eq!(said(Law::ramp(1.0), -1.0), "periodic: the period is above zero (period = -1)");
+    assert_eq!(said(Law::ramp(1.0), 0.0), "periodic: the period must be above zero (period = 0)");
+    assert_eq!(said(Law::ramp(1.0), -1.0), "periodic: the period must be above zero (period = -1)");
     assert_eq!(
         said(Law::cycloidal(1.0, -1.0), 1.0),
-        "cycloidal: the length of a rise is above zero (length = -1)"
+        "cycloidal: the length of a rise must be above zero (length = -1)"
     );
     assert_eq!(
         (said(saw(), 4.0), said(Law::harmonic(0.0, 1.0), std::f64::consts::TAU)),
