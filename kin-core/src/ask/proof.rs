@@ -18,9 +18,10 @@
 //! Kin divides the step into pieces. Let T be the times of a piece, A an approximation of C_q⁻¹ in
 //! its middle, and Y the box |y_j| ≤ ρ s_j, where s_j is the characteristic size of a coordinate.
 //!
-//! * **C along the curve**, c(t) = C(p(t), t), has bounds over T by Taylor's formula Σ_(k<6) c_k σᵏ
-//!   + c_6 σ⁶, with c_k at the middle of T and c_6 over all of T (`numbers/enclosure/series.rs`).
-//!   The bound shrinks like the error of the interpolation, h⁶, and not like the step.
+//! * **C along the curve**, c(t) = C(p(t), t), has bounds over T by Taylor's formula Σ_(k<6) c_k
+//!   σᵏ + c_6 σ⁶, with c_k at the middle of T and c_6 over all of T
+//!   (`numbers/enclosure/series.rs`). The bound shrinks like the error of the interpolation, h⁶,
+//!   and not like the step.
 //! * **C_q over p(T) + Y** gives R ≥ |I − A C_q| entry by entry.
 //! * **Krawczyk's test** (`krawczyk.rs`) needs b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s.
 //!   The map y ↦ y − A C(p(t) + y, t) then maps the box of y into the box of z at each t of T, so a

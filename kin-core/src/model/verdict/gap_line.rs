@@ -63,9 +63,8 @@ impl Display for GapLine<'_> {
 fn beyond_a_turn(asks: &Asks) -> &'static str {
     if asks.is_more_than_a_turn() { " (more than a turn from its guess)" } else { "" }
 }
-/// Writes "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
 
-/// "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
+/// Writes "`stair` jumps at x = 1.0000, from −0.400 to 0.600."
 impl Display for Step {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let Step { equation, coordinate, at, from, to, .. } = self;
