@@ -193,10 +193,10 @@ def test_masses_loads_friction_and_preferences_hang_on_dimensions():
 
 MISTAKES = [
     ("foreign", lambda m, a, o: m.link("l", o), "`l` has a dimension of another mechanism than"),
-    ("foreign in a joint", lambda m, a, o: m.add("O", kin.fixed(m.planar("b"), (0, o), 0)), "`O`: a dimension of another"),
+    ("foreign in a joint", lambda m, a, o: m.add("O", kin.fixed(m.planar("b"), (0, o), 0)), "`O` has a dimension of another mechanism"),
     ("foreign in a mass", lambda m, a, o: m.mass(m.planar("b"), o, (0, 0), 1), "`mass` has a dimension of another mechanism"),
     ("foreign in gravity", lambda m, a, o: m.gravity((0, o)), "`gravity` has a dimension of another mechanism"),
-    ("foreign in a law", lambda m, a, o: m.add("O", kin.drive_angle(m.planar("b"), kin.Law.ramp(o))), "`O`: a dim"),
+    ("foreign in a law", lambda m, a, o: m.add("O", kin.drive_angle(m.planar("b"), kin.Law.ramp(o))), "`O` has a dimension of another mechanism"),
     ("several", lambda m, a, o: a + o, "`a` and `o` are dimensions of two mechanisms"),
     ("NaN", lambda m, a, o: m.dimension("n", math.nan), "`n`: it is NaN. Give a finite number"),
     ("operand", lambda m, a, o: a * math.inf, "`a` meets inf"),
@@ -239,7 +239,7 @@ def test_a_dimension_is_no_plain_number_unless_it_is_said():
         with pytest.raises(TypeError, match="Write `.value` if you want its number"):
             plain(a)
     assert math.sin(a.value) == math.sin(0.2)
-    with pytest.raises(kin.ConstraintError, match="give `f` an argument for it"):
+    with pytest.raises(kin.ConstraintError, match="Give `f` an argument for it"):
 
         @kin.constraint
         def f(x: kin.Coord):

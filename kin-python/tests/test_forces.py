@@ -214,7 +214,7 @@ def refused_masses(m, body):
         (lambda: m.mass(kin.Mechanism("other").planar("b"), 1.0, (0, 0), 0.1), kin.ForeignBody, "`mass`"),
         (lambda: m.gravity((0.0,)), TypeError, "two or three components"),
         (lambda: m.mass(body, kin.Mechanism("other").dimension("d", 1.0), (0, 0), 0.1), kin.DimensionError, "of another"),
-        (lambda: kin.Solid.bar(m.dimension("d", 1.0), 0.1, 0.1, 1.0), TypeError, "write `.value`"),
+        (lambda: kin.Solid.bar(m.dimension("d", 1.0), 0.1, 0.1, 1.0), TypeError, "Write `.value`"),
         (lambda: kin.Solid.plate([(0, 0), (1, 0)], 0.1, 1.0), ValueError, "`plate`"),
     ]
 
@@ -236,7 +236,7 @@ def test_mistakes_of_masses_and_forces():
         (lambda: forces.named("O on arm.F_z"), kin.UnknownName, "O on arm.F_x"),
         (lambda: system.forces(motion, sharing="fairly"), ValueError, "least norm"),
         (lambda: system.forces(motion, engine="fast"), ValueError, "compiled"),
-        (lambda: system.forces(motion, ["O"], engine="compiled"), ValueError, "leave `engine` out"),
+        (lambda: system.forces(motion, ["O"], engine="compiled"), ValueError, "Leave `engine` out"),
         (lambda: system.tolerance(motion, arm_.theta, "most"), ValueError, "max"),
     ]:
         with pytest.raises(kind, match=words):

@@ -297,7 +297,7 @@ def slot(i: Planar, j: Planar, u_i: Vec2, k: float = 2.0):
         (lambda m, a, b: slot(m.ground, m.ground, (0, 0)), kin.NoCoordinates, "holds no coordinate"),
         (lambda m, a, b: slot(kin.Mechanism("n").planar("a"), b, (0, 0)), kin.ForeignBody, "cannot use `i`, which belongs to another mechanism"),
         (lambda m, a, b: slot, TypeError, "is no constraint"),
-        (lambda m, a, b: kin.revolute(a, b, (0, 0), (math.inf, 0)), kin.ParameterNotFinite, "`u_j.x` is inf"),
+        (lambda m, a, b: kin.revolute(a, b, (0, 0), (math.inf, 0)), kin.ParameterNotFinite, "has inf as its parameter `u_j.x`"),
         (lambda m, a, b: kin.revolute(a, b, (0, 0), 3), TypeError, "`revolute`: its parameter `u_j` is Vec2"),
         (lambda m, a, b: kin.distance(a, b, (0, 0), (0, 0), -1.0), kin.InvalidParameters, "a rod needs a length above zero"),
         (lambda m, a, b: kin.drive(a, 0.0), TypeError, "its argument `q` is a coordinate"),

@@ -26,6 +26,7 @@ from ._handles import (
 )
 from ._joint import AxisLike, EulerLike, Joint, Vec2Like, Vec3Like, foreign
 from ._load import Load
+from ._motion import Motion
 from ._friction import Friction
 from ._solid import Solid, in_space, inertia_of
 from ._system import System

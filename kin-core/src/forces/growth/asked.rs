@@ -34,7 +34,7 @@ impl Forces<'_> {
     /// let stopped = system.run(linspace(0.0, 5.0, 51)).unwrap_err();
     /// let forces = system.forces(stopped.motion().expect("the motion before the dead centre"))?;
     /// for growth in forces.growth()? {
-    ///     // `push`: forces grow without bound towards t = 2.75 s, as |t − t*|^(−1/2)
+    ///     // the forces of `push` grow without bound towards t* = 2.75 s, like |t − t*|^(−1/2)
     ///     println!("{growth}");
     /// }
     /// # let mut growths = forces.growth()?.into_iter();
