@@ -220,7 +220,7 @@ impl Asked {
         sweep.run(&self.cases, &self.times, |case, motion| {
             match motion.and_then(|motion| self.results(case, &motion)) {
                 Ok(results) => (results, String::new()),
-                Err(error) => (vec![f64::NAN; self.wanted.len()], error.to_string()),
+                Err(error) => (vec![f64::NAN; self.wanted.len()], error.reason()),
             }
         })
     }

@@ -49,6 +49,7 @@ fn path(template: &Template) -> Option<(String, &[Ident])> {
             Some((kin_language::error::tidy(&path.to_token_stream().to_string()), around))
         }
         Template::Call(callee, ..) => path(callee),
+        Template::Field(inner, ..) => path(inner),
         _ => None,
     }
 }

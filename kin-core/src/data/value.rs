@@ -149,6 +149,11 @@ impl Datum for Law {
     }
 
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String> {
+        if !value.is_object() {
+            return Err(format!(
+                "{value} is not a law. Write an object, such as {{\"kind\": \"ramp\", \"numbers\": {{\"rate\": 1}}}}"
+            ));
+        }
         let data: LawData = serde_json::from_value(value.clone())
             .map_err(|error| format!("{value} is not a law: {error}"))?;
         registry.law(&data)

@@ -20,8 +20,7 @@ pub struct Asked {
 
 /// Reads the words. A word that occurs twice, or contradicts another one, is an error.
 pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
-    const WORDS: &str =
-        "`#[constraint]` takes nothing, `symbolic`, `dual`, `warn_dual`, or a length: `LEGS = 6`";
+    const WORDS: &str = "`#[constraint]` takes no argument, or `symbolic`, `dual`, `warn_dual`, or a length: `LEGS = 6`";
     let mistake = |text: &str| syn::Error::new_spanned(&attribute, text);
     let given = Punctuated::<Word, syn::Token![,]>::parse_terminated
         .parse2(attribute.clone())

@@ -31,7 +31,7 @@ pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Mea
         if all.iter().any(|known| known.name == measure.name) {
             mistakes.add(
                 &measure.name,
-                format!("there are two measures `{}`; give one of them another name", measure.name),
+                format!("two measures are named `{}`. Rename one of them", measure.name),
             );
         }
         all.push(measure);

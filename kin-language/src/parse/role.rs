@@ -4,7 +4,7 @@
 use super::{ConstraintFn, Kind, Role, Shape};
 
 const FIRST: &str = "a force begins with the length or the angle that it acts along: `x: Coord`";
-const SECOND: &str = "after `x` only its rate may follow, `rate: Rate`: other coordinates belong to `x`, which may be any constraint of one row";
+const SECOND: &str = "after `x` only one argument may follow: its velocity, `rate: Rate`. Move other coordinates into `x`, which may be any constraint of one row";
 const BODY: &str = "a force depends on `x`, its rate and `t`: the bodies belong to `x`, which the constructor takes";
 const VALUE: &str = "a force along x is one number: return an `f64`";
 

@@ -123,7 +123,7 @@ class Dimension(Number):
         return hash(self.value)
 
     def __float__(self) -> float:
-        raise TypeError(f"the dimension `{self.text}` would become a plain number here. Write `.value` if you want its number")
+        raise TypeError(f"the dimension `{self.text}` would become a plain number here. Write `.value` if you want its number, which does not change with the dimension")
 
     def __round__(self, digits: Any = None) -> Any:
         return round(float(self))

@@ -95,6 +95,8 @@ class System:
         Raises an error by name: nothing of that name, not finite, beyond the range of the dimension, an expression of others,
         what makes no sense; the old value stays.
         """
+        if isinstance(value, str):
+            raise TypeError(f"`{name}` needs a number, not {value!r}")
         self._native.set(name, value)
 
     def set_initial(self, q: Any) -> None:

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::model::error::surface::Surface;
 use crate::model::words::time;
 
 /// The number of an expression that is not finite. Kin checks the value first, then the
@@ -93,7 +94,12 @@ impl fmt::Display for Culprit {
                 write!(f, ": `{expression}` has no finite second derivative{operands}.")?
             }
         }
-        let place = found.source.map(|source| source.to_string());
+        // The texts of Kin's library, and those that Python's functions become, are not the user's.
+        let surface = Surface::chosen();
+        let source = found.source.filter(|source| {
+            !source.file.contains("kin-core/src") && !matches!(surface, Surface::Python)
+        });
+        let place = source.map(|source| source.to_string());
         let told: Vec<String> =
             place.into_iter().chain((!values.is_empty()).then(|| format!("at {values}"))).collect();
         if !told.is_empty() {
@@ -106,6 +112,9 @@ impl fmt::Display for Culprit {
             );
         }
         f.write_str(match found.part {
+            Part::Value if matches!(surface, Surface::Python) => {
+                "\n  Begin at another pose, change the parameters, or choose by `kin.where`."
+            }
             Part::Value => "\n  Begin at another pose, change the parameters, or write an `if` around the expression.",
             _ => "\n  Avoid this pose, or write the equation smoothly: d·d - l*l instead of d.norm() - l.",
         })

@@ -100,4 +100,10 @@ impl Gap {
     pub fn size(&self) -> f64 {
         self.residual.iter().map(|c| c * c).sum::<f64>().sqrt()
     }
+
+    /// True if its equations are the components of a distance between two points.
+    pub(super) fn is_between_points(&self) -> bool {
+        let is_component = |name: &String| matches!(name.rsplit('.').next(), Some("x" | "y" | "z"));
+        !self.equations.is_empty() && self.equations.iter().all(is_component)
+    }
 }

@@ -52,7 +52,13 @@ impl Display for GapLine<'_> {
             }
             None => {
                 let least = if gap.can_jump { "" } else { "at least " };
-                write!(f, "`{name}` {why} its error is {least}{}{starts}.", number(gap.size()))
+                let size = number(gap.size());
+                if gap.is_between_points() {
+                    let unit = diagnosis.units.length();
+                    write!(f, "`{name}` {why} a gap of {least}{size} {unit} remains{starts}.")
+                } else {
+                    write!(f, "`{name}` {why} its equations are off by {least}{size}{starts}.")
+                }
             }
         }?;
         gap.steps.iter().try_for_each(|step| write!(f, " {step}"))

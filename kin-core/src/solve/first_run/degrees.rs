@@ -39,6 +39,12 @@ fn looks_like_an_angle(x: f64) -> bool {
     (15.0..=3600.0).contains(&x.abs()) && x % 15.0 == 0.0
 }
 
+/// True of a guess or a preferred value that is in degrees as a rule: nobody draws a whole number of
+/// radians beyond two turns.
+fn looks_like_a_drawn_angle(x: f64) -> bool {
+    (15.0..=3600.0).contains(&x.abs()) && x.fract() == 0.0
+}
+
 /// True of a number that is a speed in degrees a time as a rule.
 fn looks_like_a_speed(x: f64) -> bool {
     let is_multiple = |of: f64| x % of == 0.0;
@@ -69,7 +75,8 @@ pub(super) fn warnings(system: &System) -> Vec<Warning> {
 fn guesses(system: &System, found: &mut Vec<Warning>) {
     let layout = system.layout();
     let angles = layout.units.iter().zip(system.initial()).enumerate();
-    let odd = angles.filter(|(_, (unit, x))| **unit == Unit::Radian && looks_like_an_angle(**x));
+    let odd =
+        angles.filter(|(_, (unit, x))| **unit == Unit::Radian && looks_like_a_drawn_angle(**x));
     for (column, (_, x)) in odd.take(MOST) {
         let name = layout.names[column].as_str();
         let preferred = system.preferred().iter().any(|(known, _)| *known == column);
@@ -79,7 +86,7 @@ fn guesses(system: &System, found: &mut Vec<Warning>) {
     }
     for asked in system.asked.iter().filter(|asked| asked.is_angle) {
         let name = measure_name(system, asked.block, asked.number);
-        if looks_like_an_angle(asked.value) {
+        if looks_like_a_drawn_angle(asked.value) {
             let x = asked.value;
             let text =
                 format!("The preferred value of `{name}` is {}. {}", amount(x), did_you_mean(x));
@@ -407,6 +414,12 @@ mod tests {
         }
         for x in [0.0, 1.0, 2.0, 6.0, 10.0, 20.0, 50.0, PI, 15.0 * PI, 14.9, 1e9, f64::INFINITY] {
             assert!(!looks_like_an_angle(x) && !looks_like_an_angle(-x), "{x}");
+        }
+        for x in [15.0, 20.0, 37.0, 100.0, 360.0] {
+            assert!(looks_like_a_drawn_angle(x) && looks_like_a_drawn_angle(-x), "{x}");
+        }
+        for x in [0.0, 1.0, 12.0, 15.5, 5.0 * TAU, 98.6, 1e9, f64::NAN] {
+            assert!(!looks_like_a_drawn_angle(x), "{x}");
         }
         for x in [45.0, 90.0, 135.0, 180.0, 270.0, 360.0, 720.0, 1800.0, 3600.0, 36_000.0] {
             assert!(looks_like_a_speed(x) && looks_like_a_speed(-x), "{x}");
