@@ -39,8 +39,8 @@ fn looks_like_an_angle(x: f64) -> bool {
     (15.0..=3600.0).contains(&x.abs()) && x % 15.0 == 0.0
 }
 
-/// True of a guess or a preferred value that is in degrees as a rule: nobody draws a whole number of
-/// radians beyond two turns.
+/// True of a guess or a preferred value that is in degrees as a rule: nobody draws a whole number
+/// of radians beyond two turns.
 fn looks_like_a_drawn_angle(x: f64) -> bool {
     (15.0..=3600.0).contains(&x.abs()) && x.fract() == 0.0
 }
