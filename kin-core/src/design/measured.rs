@@ -23,7 +23,7 @@ pub struct MeasureSensitivity {
     pub second_rate: Vec<f64>,
 }
 
-/// The derivatives of an extreme of a measure by one parameter.
+/// The derivatives of an extreme value of a measure with respect to one parameter.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ExtremeSensitivity {

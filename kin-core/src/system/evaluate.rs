@@ -55,7 +55,7 @@ pub(crate) struct Equations {
     plan: StatePlan,
     /// The row and column of each value of C_q; `None` for columns of the ground.
     pub entries: Vec<Option<(usize, usize)>>,
-    /// For each value of C_q the number if it is constant, otherwise `None`.
+    /// One item for each value of C_q: `Some(number)` if the value is constant, `None` otherwise.
     pub constants: Vec<Option<f64>>,
     pub rows: usize,
     /// The number of values that constraints compute from the time alone.

@@ -35,7 +35,7 @@ pub struct Off {
     pub by: f64,
 }
 
-/// The places in the box of tolerances that Kin tested besides its centre.
+/// The points of the box of tolerances that Kin tested in addition to the centre.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Searched {
