@@ -89,8 +89,8 @@ fn main() -> kin::Result<()> {
     motion.write_csv(format!("{OUT}/motion.csv"))?; // with the jerk of all coordinates
     motion.write_json(format!("{OUT}/motion.json"))?; // with the events
 
-    // 5. Pictures: the blade is told; the sequence shows the motion at its dead centres and
-    //    between.
+    // 5. Pictures: the program draws the blade; the sequence shows the motion at its dead centres
+    //    and between.
     let blade = [arm.start(), tip];
     let scene = Scene::new(&system).trace("tip", arm, tip).outline(arm, Outline::line(blade));
     for (side, dead_centre) in ["one", "other"].into_iter().zip(swing.all()) {

@@ -1,8 +1,8 @@
 //! An excavator with three cylinders. Lengths in m, angles in rad, time in s.
 //!
-//! What to see: the machine digs, lifts and empties its bucket. Nothing but the lengths of the
-//! three cylinders is told; boom and stick follow by triangles, the bucket by the four-bar linkage
-//! behind it. The velocity of the bucket's edge shows the three moves.
+//! What to see: the machine digs, lifts and empties its bucket. The program gives the lengths
+//! of the three cylinders only. Boom and stick follow by triangles, the bucket by the four-bar
+//! linkage behind it. The velocity of the bucket's edge shows the three moves.
 //!
 //! `cargo run --release --example 18_excavator`
 
@@ -79,8 +79,8 @@ fn main() -> kin::Result<()> {
     motion.add_point("edge", bucket, BUCKET[1])?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 4. Pictures: boom, stick and bucket are told in their frames, the machine on the ground;
-    //    cylinders are drawn by themselves.
+    // 4. Pictures: outlines of boom, stick and bucket in their frames, of the machine on the
+    //    ground; cylinders are drawn by themselves.
     let at = |points: &[(f64, f64)]| points.iter().map(|(x, y)| vec2(*x, *y)).collect::<Vec<_>>();
     let shell = at(&[
         (-0.12, 0.3),

@@ -1,8 +1,8 @@
 //! A Delta robot that picks and places. Lengths in mm, angles in rad, time in s.
 //!
-//! What to see: the path of the tool is told, up, across, down and back; the turns of the three
-//! motors follow. Each forearm is a pair of equal rods on balls, and the three pairs together keep
-//! the plate level, which is not told. Drag the picture to go round it.
+//! What to see: the program gives the path of the tool: up, across, down and back. The turns of the
+//! three motors follow. Each forearm is a pair of equal rods on balls, and the three pairs together
+//! keep the plate level, without an equation for it. Drag the picture to go round it.
 //!
 //! `cargo run --release --example 19_delta_robot`
 

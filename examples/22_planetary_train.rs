@@ -87,8 +87,8 @@ fn main() -> kin::Result<()> {
     motion.add_point("mark", planets[0], mark)?;
     motion.write_csv(format!("{OUT}/motion.csv"))?;
 
-    // 4. Pictures: the joints know the pitch circles; here the wheels are told with their teeth,
-    //    the ring by its edges.
+    // 4. Pictures: the joints know the pitch circles; here the program draws the wheels with their
+    //    teeth, the ring by its edges.
     let mut scene = Scene::new(&system)
         .outline(sun, Outline::gear(r_sun, TEETH[0]))
         .trace("mark", planets[0], mark)

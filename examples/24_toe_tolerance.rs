@@ -1,5 +1,5 @@
-//! The toe of a wheel, and which point of its suspension it hangs on. Lengths in mm, angles in rad,
-//! time in s.
+//! The toe of a wheel, and which point of its suspension changes it most. Lengths in mm, angles in
+//! rad, time in s.
 //!
 //! What to see: the wheel goes up and down by 60 mm. Each ball may be off by half a millimetre in
 //! each direction, the tie rod by as much in its length. Of the toe, a metre out along the spindle,

@@ -429,3 +429,17 @@ fn laws_come_back_as_they_are() {
         }
     }
 }
+
+/// A number where a law belongs: the message shows how a law is written.
+#[test]
+fn a_number_is_no_law() {
+    let mut m = Mechanism::new("crank");
+    let crank = m.link("crank", 1.0).unwrap();
+    m.add("motor", drive_angle(crank, Law::ramp(6.25))).unwrap();
+    let mut text = serde_json::to_value(m.data().unwrap()).unwrap();
+    text["constraints"][0]["parameters"]["law"] = serde_json::json!(6.25);
+    let data: MechanismData = serde_json::from_value(text).unwrap();
+    let error = Mechanism::from_data(&data, &Registry::new()).err().expect("no law").to_string();
+    assert!(error.contains("6.25 is not a law. Write an object"), "{error}");
+    assert!(!error.contains("struct"), "{error}");
+}

@@ -202,6 +202,17 @@ fn a_run_is_watched_and_stopped() {
         "{text}"
     );
     assert_eq!(stopped.motion().map(kin::Motion::len), Some(100));
+    let mut parts = Vec::new();
+    let stop = AtomicBool::new(false);
+    let watch = |done, all| {
+        parts.push((done, all));
+        stop.store(done >= 100, Ordering::Relaxed);
+    };
+    let mut solver = system.solver().progress(watch).stop_when(&stop);
+    let stopped = solver.run_in_parts(times.iter().copied(), 50, |_| Ok(())).unwrap_err();
+    assert!(matches!(stopped, Error::Stopped { done: 100, all: 301, .. }), "{stopped}");
+    drop(solver);
+    assert_eq!(parts, [(0, 301), (50, 301), (100, 301)]);
     let never = system.solver().stop_when(&AtomicBool::new(true)).run(&times).unwrap_err();
     assert_eq!(never.to_string(), "your program stopped the run after 0 of 301 times");
 }

@@ -245,10 +245,6 @@ pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     let span = item.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
     syn::parse2(item).map_err(|error| match error.to_string().contains("expected `fn`") {
         true => syn::Error::new(span, "this attribute goes on a function"),
-        false if error.to_string() == "expected `!`" => syn::Error::new(
-            span,
-            "write a function, such as `fn slot(i: Planar, k: f64) -> f64 { … }`",
-        ),
         false => error,
     })
 }

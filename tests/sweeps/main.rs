@@ -186,6 +186,10 @@ fn a_sweep_can_be_stopped() {
         matches!(stopped, Err(Error::Stopped { done: 16, all: 400, motion: None })),
         "{stopped:?}"
     );
+    // The flag of a solver is that of its sweeps.
+    let sweep = system.solver().stop_when(&stop).sweep(NAMES).unwrap();
+    let stopped = sweep.run(&cases, [0.0, 0.1], |_, _| ());
+    assert!(matches!(stopped, Err(Error::Stopped { all: 400, .. })), "{stopped:?}");
 }
 
 #[test]

@@ -213,3 +213,12 @@ fn a_let_within_an_expression_is_told_at_its_word() {
         "{one}"
     );
 }
+
+/// What newcomers write, with the message that names it.
+#[test]
+fn mistakes_of_newcomers_are_named() {
+    let found = told("def slot(i: Planar, k: f64) -> f64 { k }").join("\n");
+    assert!(found.contains("write a function, such as `fn slot("), "{found}");
+    let found = told("fn slot(i: Planar, k: f64) -> f64 { r.x - k * i.theta }").join("\n");
+    assert!(found.contains("`r` is not known here"), "{found}");
+}

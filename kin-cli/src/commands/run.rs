@@ -17,7 +17,7 @@ const SECONDS: f64 = 3.0;
 /// How often a file is looked at.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// Runs the mechanism and writes what is asked for. Where the run ends early, what came before is
+/// Runs the mechanism and writes the requested files. Where the run ends early, what came before is
 /// written.
 pub fn run(asked: &Run, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
@@ -107,7 +107,7 @@ fn add_measure(system: &System, motion: &mut Motion, name: &str) -> KinResult<()
 }
 
 /// Runs, and runs again each time the file has another content. It ends when nobody reads its
-/// output any more; faults are told, and the file is watched on.
+/// output any more; it reports faults and continues to watch the file.
 pub fn watch(asked: &Run, say: &Say) -> Result<(), Fault> {
     let file = &asked.model.file;
     if file == "-" {

@@ -1,7 +1,7 @@
 //! `kin sweep`: many cases of one mechanism, a row each.
 //!
 //! Each case is run by itself, as `kin run` with its numbers set does it, so that its row does not
-//! depend on other cases, on threads or on the part of the whole that is asked for.
+//! depend on other cases, on threads or on the requested part of the whole.
 
 use std::sync::OnceLock;
 

@@ -88,14 +88,15 @@ impl<'a> Solver<'a> {
     }
 
     /// Calls `progress` with the number of times done and of all times: before each step of the
-    /// step-by-step solver, and once for each block of times of the compiled program.
+    /// step-by-step solver, once for each block of times of the compiled program, and before each
+    /// part of [`Solver::run_in_parts`]. A sweep has its own, [`Sweep::progress`].
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + 'a) -> Self {
         self.progress = Some(Box::new(progress));
         self
     }
 
-    /// Stops a run soon after the flag `stop` becomes true. The run returns [`Error::Stopped`],
-    /// which contains the motion computed so far.
+    /// Stops a run or a sweep soon after the flag `stop` becomes true, and a run in parts before
+    /// its next part. It returns [`Error::Stopped`], which contains the motion computed so far.
     pub fn stop_when(mut self, stop: &'a AtomicBool) -> Self {
         self.stop = Some(stop);
         self
@@ -149,7 +150,7 @@ impl<'a> Solver<'a> {
             if let Some(progress) = progress {
                 progress(done, times.len());
             }
-            !stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+            !is_set(*stop)
         };
         let watch = is_watched.then_some(&mut watch as &mut dyn FnMut(usize) -> bool);
         system.noted(newton::run::run(system, times, options, Some(EXPLAIN), watch))
@@ -187,12 +188,12 @@ impl<'a> Solver<'a> {
     ///
     /// Errors: those of a run, which carry the part under way; those of `keep`, which end the run.
     pub fn run_in_parts(
-        &self,
+        &mut self,
         times: impl IntoIterator<Item = f64>,
         size: usize,
         mut keep: impl FnMut(&Motion) -> Result<()>,
     ) -> Result<()> {
-        let Solver { system, options, .. } = self;
+        let Solver { system, options, progress, stop } = self;
         let size = size.max(1);
         let mut times = times.into_iter().peekable();
         options.check_memory(1, size, system.n_coordinates())?;
@@ -200,7 +201,16 @@ impl<'a> Solver<'a> {
         let mut computing = newton::compiled::Computing::in_parts(system, options)?;
         let mut order = newton::run::Order::default();
         let mut before: Option<Motion> = None;
+        let mut done = 0;
         while times.peek().is_some() {
+            // Times without end count as many as there are numbers.
+            let all = times.size_hint().0.saturating_add(done);
+            if let Some(progress) = progress {
+                progress(done, all);
+            }
+            if is_set(*stop) {
+                return Err(Error::Stopped { done, all, motion: before.map(Box::new) });
+            }
             let mut part = Motion::new(system, size.min(times.size_hint().0.max(1)));
             let mut own = Vec::with_capacity(part.times.capacity());
             let mut ordered = Ok(());
@@ -212,12 +222,13 @@ impl<'a> Solver<'a> {
                 own.push(t);
             }
             // Times before one that is out of order are computed all the same.
-            let done = computing.run(&mut run, &own, &mut part).and(ordered);
+            let computed = computing.run(&mut run, &own, &mut part).and(ordered);
             system.note_after(before.as_ref(), &mut part);
-            if let Err(error) = done {
+            if let Err(error) = computed {
                 return Err(run.failed(error, part));
             }
             keep(&part)?;
+            done += part.len();
             before = Some(part.last());
         }
         order.some()
@@ -228,7 +239,11 @@ impl<'a> Solver<'a> {
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'a>> {
         let sweep = Sweep::new(self.system, names, System::noted)?;
-        Ok(sweep.options(self.options.clone()))
+        let sweep = sweep.options(self.options.clone());
+        Ok(match self.stop {
+            Some(stop) => sweep.stop_when(stop),
+            None => sweep,
+        })
     }
 
     /// Diagnoses the mechanism at a time, from the guess or from a pose: counts, rank, dependencies
@@ -271,6 +286,11 @@ impl<'a> Solver<'a> {
             known: known(),
         })
     }
+}
+
+/// True if a flag that ends a run is there and set.
+fn is_set(stop: Option<&AtomicBool>) -> bool {
+    stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
 }
 
 impl Sweep<'_> {

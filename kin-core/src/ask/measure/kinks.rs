@@ -13,8 +13,8 @@ use crate::solve::newton::{Engine, SolverOptions};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
-/// The number of places examined in each step of a motion. Kin does not see a condition that holds
-/// for less than that and not at the ends.
+/// The number of places examined in each step of a motion. Between two of them a switch may leave
+/// its side and come back; Kin finds that if its margin has one smallest value in between.
 const PLACES: usize = 4;
 
 /// Slopes of margins are measured over this share of a step.   \[-\]

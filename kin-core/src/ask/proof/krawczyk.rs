@@ -208,7 +208,7 @@ mod tests {
         })
     }
 
-    /// The box is as large as it is told to be: one that reaches over to the other root holds no
+    /// The test does not shrink the box: one that reaches over to the other root holds no
     /// proof, in whatever unit of size.
     #[test]
     fn no_box_reaches_over_to_another_solution() {
