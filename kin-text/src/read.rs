@@ -109,7 +109,7 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
         .map_err(|error: proc_macro2::LexError| syn::Error::new(error.span(), NO_TOKENS))?;
     limits::check(&tokens)?;
     let file: File = syn::parse2(tokens).map_err(|error| match error.to_string().as_str() {
-        // What is no item at all reads like the call of a macro.
+        // A word that begins no item reads like the call of a macro.
         "expected `!`" => syn::Error::new(
             error.span(),
             "write a function, such as `fn slot(i: Planar, k: f64) -> f64 { … }`",
