@@ -214,7 +214,7 @@ fn a_let_within_an_expression_is_told_at_its_word() {
     );
 }
 
-/// What newcomers write, with the message that names it.
+/// Texts of newcomers, each with the message that names the mistake.
 #[test]
 fn mistakes_of_newcomers_are_named() {
     let found = told("def slot(i: Planar, k: f64) -> f64 { k }").join("\n");
