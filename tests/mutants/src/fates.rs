@@ -35,7 +35,8 @@ impl Fates {
             .into_iter()
             .map(|(key, (test, text))| (key, Killed { test, text }))
             .collect();
-        let texts = sources.iter().map(|source| (source.path.clone(), number(&source.text))).collect();
+        let texts =
+            sources.iter().map(|source| (source.path.clone(), number(&source.text))).collect();
         Fates { path, killed, texts }
     }
 
@@ -71,8 +72,9 @@ impl Fates {
 
 /// A number that another text hardly has (FNV-1a).
 fn number(text: &str) -> u64 {
-    text.bytes()
-        .fold(0xcbf2_9ce4_8422_2325, |hash, byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 #[cfg(test)]

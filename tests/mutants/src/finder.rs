@@ -86,8 +86,9 @@ fn has_let(expr: &Expr) -> bool {
 
 /// True if an arm takes whatever is left.
 fn takes_all(arm: &Arm) -> bool {
-    let named =
-        |pat: &syn::PatIdent| pat.subpat.is_none() && pat.ident.to_string().starts_with(char::is_lowercase);
+    let named = |pat: &syn::PatIdent| {
+        pat.subpat.is_none() && pat.ident.to_string().starts_with(char::is_lowercase)
+    };
     arm.guard.is_none() && matches!(&arm.pat, Pat::Wild(_))
         || matches!(&arm.pat, Pat::Ident(pat) if named(pat) && arm.guard.is_none())
 }
@@ -153,11 +154,13 @@ impl Finder<'_> {
     }
 
     fn condition(&mut self, condition: &Expr, values: &[&str]) {
-        let known =
-            matches!(condition, Expr::Binary(_) | Expr::Unary(_) | Expr::Lit(_)) || has_let(condition);
+        let known = matches!(condition, Expr::Binary(_) | Expr::Unary(_) | Expr::Lit(_))
+            || has_let(condition);
         if !known {
-            let alternatives =
-                values.iter().map(|value| Alternative::new(*value, format!("becomes {value}"))).collect();
+            let alternatives = values
+                .iter()
+                .map(|value| Alternative::new(*value, format!("becomes {value}")))
+                .collect();
             self.add(condition.span().byte_range(), Shape::Instead, alternatives);
         }
     }
@@ -207,7 +210,11 @@ impl<'ast> Visit<'ast> for Finder<'_> {
             _ => false,
         };
         if left_out {
-            self.add(stmt.span().byte_range(), Shape::Statement, vec![Alternative::new("", "left out")]);
+            self.add(
+                stmt.span().byte_range(),
+                Shape::Statement,
+                vec![Alternative::new("", "left out")],
+            );
         }
         visit::visit_stmt(self, stmt);
     }
@@ -234,10 +241,15 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         let open = expr.arms.last().is_some_and(takes_all);
         for (k, arm) in expr.arms.iter().enumerate() {
             if open && k + 1 < expr.arms.len() {
-                let pattern =
-                    self.operators.code(arm.pat.span()).split_whitespace().collect::<Vec<_>>().join(" ");
+                let pattern = self
+                    .operators
+                    .code(arm.pat.span())
+                    .split_whitespace()
+                    .collect::<Vec<_>>()
+                    .join(" ");
                 let end = arm.pat.span().byte_range().end;
-                let range = arm.guard.as_ref().map_or(end..end, |(_, guard)| guard.span().byte_range());
+                let range =
+                    arm.guard.as_ref().map_or(end..end, |(_, guard)| guard.span().byte_range());
                 self.add(
                     range,
                     Shape::Arm,
@@ -308,7 +320,10 @@ mod tests {
         let found = keys(code);
         assert_eq!(found.len(), expected.len(), "{found:#?}");
         for (found, expected) in found.iter().zip(expected) {
-            assert!(found.starts_with("a.rs | A::f | ") && found.ends_with(expected), "{found}\n{expected}");
+            assert!(
+                found.starts_with("a.rs | A::f | ") && found.ends_with(expected),
+                "{found}\n{expected}"
+            );
         }
     }
 
@@ -317,8 +332,12 @@ mod tests {
         let sources = found(
             "const SAFE: f64 = 0.25; fn f(a: f64) -> bool { a < SAFE } fn g() -> usize { let a = SAFE; 3 }",
         );
-        let uses: Vec<usize> =
-            sources[0].sites.iter().filter(|site| site.constant.is_some()).map(|site| site.first).collect();
+        let uses: Vec<usize> = sources[0]
+            .sites
+            .iter()
+            .filter(|site| site.constant.is_some())
+            .map(|site| site.first)
+            .collect();
         assert!(uses.len() == 2 && uses[0] == uses[1]);
         let keys = mutants(&sources)
             .iter()

@@ -12,7 +12,9 @@ use crate::Result;
 pub fn read(text: &str) -> Result<BTreeMap<String, String>> {
     let mut listed: BTreeMap<String, String> = BTreeMap::new();
     let (mut open, mut reason): (Vec<&str>, String) = (Vec::new(), String::new());
-    for line in text.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#')).chain(["end"]) {
+    for line in
+        text.lines().filter(|line| !line.trim().is_empty() && !line.starts_with('#')).chain(["end"])
+    {
         if line.starts_with(char::is_whitespace) {
             reason = format!("{reason} {}", line.trim()).trim().to_string();
             continue;
@@ -35,7 +37,8 @@ pub fn read(text: &str) -> Result<BTreeMap<String, String>> {
 mod tests {
     #[test]
     fn a_reason_holds_for_all_mutants_above_it() {
-        let listed = super::read("# heading\na | b\nc | d\n  one\n  reason\n\ne | f\n  another\n").unwrap();
+        let listed =
+            super::read("# heading\na | b\nc | d\n  one\n  reason\n\ne | f\n  another\n").unwrap();
         let found: Vec<(&str, &str)> =
             listed.iter().map(|(key, reason)| (key.as_str(), reason.as_str())).collect();
         assert_eq!(found, [("a | b", "one reason"), ("c | d", "one reason"), ("e | f", "another")]);

@@ -69,7 +69,10 @@ fn main() -> Result<()> {
         println!("{USAGE}");
         return Ok(());
     };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).ancestors().nth(2).ok_or("no repository around this")?;
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .ancestors()
+        .nth(2)
+        .ok_or("no repository around this")?;
     let mut failed = Vec::new();
     for part in &options.parts {
         if let Err(error) = run(part, &options, root) {
@@ -127,7 +130,8 @@ fn run(part: &Part, options: &Options, root: &Path) -> Result<()> {
 /// Leaves out the mutants that do not compile, those that are known first.
 fn settle(tree: &Tree, sources: &mut [Source], folder: &Path) -> Result<()> {
     let known = folder.join("refused.json");
-    let refused = fs::read(&known).ok().and_then(|text| serde_json::from_slice::<Vec<String>>(&text).ok());
+    let refused =
+        fs::read(&known).ok().and_then(|text| serde_json::from_slice::<Vec<String>>(&text).ok());
     source::refuse(sources, &refused.unwrap_or_default());
     tree.settle(sources)?;
     Ok(fs::write(known, serde_json::to_vec_pretty(&source::refused(sources))?)?)
@@ -159,7 +163,9 @@ fn options() -> Result<Option<Options>> {
             "--unit" => options.unit = true,
             "--list" => options.list = true,
             "--help" | "-h" => return Ok(None),
-            _ if argument.starts_with('-') => return Err(format!("unknown: {argument}\n{USAGE}").into()),
+            _ if argument.starts_with('-') => {
+                return Err(format!("unknown: {argument}\n{USAGE}").into());
+            }
             name => options.parts.push(Part::named(name)?),
         }
     }
@@ -187,12 +193,15 @@ fn judged<'a>(
         if Instant::now() > until {
             return Ok(None);
         }
-        let before = known.lock().map_err(|_| "a thread failed")?.1.killer(mutant).map(str::to_string);
+        let before =
+            known.lock().map_err(|_| "a thread failed")?.1.killer(mutant).map(str::to_string);
         let fate = tests.judge(mutant, before.as_deref())?;
         match &fate {
             Fate::Killed(_) => {}
             Fate::Alive => println!("lives: {}:{} {}", mutant.path, mutant.line, mutant.key()),
-            Fate::NotReached => println!("not reached: {}:{} {}", mutant.path, mutant.line, mutant.key()),
+            Fate::NotReached => {
+                println!("not reached: {}:{} {}", mutant.path, mutant.line, mutant.key())
+            }
         }
         let mut known = known.lock().map_err(|_| "a thread failed")?;
         known.0 += 1;
@@ -210,15 +219,17 @@ fn judged<'a>(
 /// Compares with the list: an error if a mutant lives that is not in it.
 fn verdict(sources: &[Source], all: &[Mutant], judged: &[Judged<'_>], root: &Path) -> Result<()> {
     let listed = listed::read(&fs::read_to_string(root.join("tests/mutants/listed.txt"))?)?;
-    let is_listed =
-        |mutant: &Mutant| listed.contains_key(&mutant.key()) || listed.contains_key(&mutant.place());
+    let is_listed = |mutant: &Mutant| {
+        listed.contains_key(&mutant.key()) || listed.contains_key(&mutant.place())
+    };
     let lives: Vec<&Mutant> = judged
         .iter()
         .filter(|(_, fate)| !matches!(fate, Fate::Killed(_)))
         .map(|(mutant, _)| *mutant)
         .collect();
-    let is_here =
-        |line: &&String| sources.iter().any(|source| line.starts_with(&format!("{} |", source.path)));
+    let is_here = |line: &&String| {
+        sources.iter().any(|source| line.starts_with(&format!("{} |", source.path)))
+    };
     for line in listed.keys().filter(is_here) {
         let is_meant = |mutant: &Mutant| *line == mutant.key() || *line == mutant.place();
         if !all.iter().any(is_meant) {
@@ -229,8 +240,10 @@ fn verdict(sources: &[Source], all: &[Mutant], judged: &[Judged<'_>], root: &Pat
             println!("listed, but killed: {line}");
         }
     }
-    let unlisted =
-        lives.iter().filter(|mutant| !is_listed(mutant)).map(|mutant| format!("{}\n", mutant.key()));
+    let unlisted = lives
+        .iter()
+        .filter(|mutant| !is_listed(mutant))
+        .map(|mutant| format!("{}\n", mutant.key()));
     let unlisted: Vec<String> = unlisted.collect();
     println!(
         "{} mutants run, {} live, {} of them listed",

@@ -76,7 +76,9 @@ impl Operators<'_> {
             Expr::Assign(_) => vec![Alternative::new("{}", "left out")],
             Expr::Lit(lit) if matches!(lit.lit, Lit::Bool(_)) => literal(&lit.lit),
             Expr::MethodCall(call) => self.method(call),
-            Expr::Call(call) if call.args.len() == 1 && ROUNDING.contains(&self.code(call.func.span())) => {
+            Expr::Call(call)
+                if call.args.len() == 1 && ROUNDING.contains(&self.code(call.func.span())) =>
+            {
                 let argument = self.code(call.args[0].span());
                 vec![Alternative::new(
                     format!("({argument})"),
@@ -93,14 +95,20 @@ impl Operators<'_> {
         let left = self.code(binary.left.span());
         let right = self.code(binary.right.span());
         let by = |other: &str| {
-            Alternative::new(format!("({left}) {other} ({right})"), format!("`{name}` becomes `{other}`"))
+            Alternative::new(
+                format!("({left}) {other} ({right})"),
+                format!("`{name}` becomes `{other}`"),
+            )
         };
         let assigned = |other: &str| {
-            Alternative::new(format!("{left} {other} {right}"), format!("`{name}` becomes `{other}`"))
+            Alternative::new(
+                format!("{left} {other} {right}"),
+                format!("`{name}` becomes `{other}`"),
+            )
         };
         let comparison = |other: Option<&str>| {
-            let constant =
-                ["true", "false"].map(|value| Alternative::new(value, format!("`{name}` becomes {value}")));
+            let constant = ["true", "false"]
+                .map(|value| Alternative::new(value, format!("`{name}` becomes {value}")));
             other.map(by).into_iter().chain(constant).collect::<Vec<_>>()
         };
         // a threshold that lets more pass; a named number is changed where it stands
@@ -110,8 +118,9 @@ impl Operators<'_> {
                     .chars()
                     .all(|c| c.is_ascii_uppercase() || c == '_' || c == '0' || c == '.')
             };
-            let text =
-                format!("crate::mutants::number({left}) {name} {factor} * crate::mutants::number({right})");
+            let text = format!(
+                "crate::mutants::number({left}) {name} {factor} * crate::mutants::number({right})"
+            );
             let label = format!("`{name}` with {factor} times its right side");
             if named(&binary.left) || named(&binary.right) {
                 Vec::new()
@@ -123,7 +132,10 @@ impl Operators<'_> {
         match op {
             BinOp::And(_) | BinOp::Or(_) => [(left, "right"), (right, "left")]
                 .map(|(kept, gone)| {
-                    Alternative::new(format!("({kept})"), format!("`{name}` without its {gone} side"))
+                    Alternative::new(
+                        format!("({kept})"),
+                        format!("`{name}` without its {gone} side"),
+                    )
                 })
                 .into(),
             BinOp::Lt(_) => [comparison(Some("<=")), further("1.5")].concat(),
@@ -147,8 +159,12 @@ impl Operators<'_> {
     fn method(&self, call: &ExprMethodCall) -> Vec<Alternative> {
         let name = call.method.to_string();
         let receiver = self.code(call.receiver.span());
-        let arguments =
-            call.args.iter().map(|argument| self.code(argument.span())).collect::<Vec<_>>().join(", ");
+        let arguments = call
+            .args
+            .iter()
+            .map(|argument| self.code(argument.span()))
+            .collect::<Vec<_>>()
+            .join(", ");
         let mut all = Vec::new();
         let pair = OPPOSITES.iter().find(|(a, b)| *a == name || *b == name);
         if let (Some((a, b)), None) = (pair, &call.turbofish) {
@@ -173,7 +189,8 @@ pub fn literal(lit: &Lit) -> Vec<Alternative> {
         Lit::Bool(bool) => vec![to((!bool.value).to_string())],
         Lit::Float(float) => {
             let Ok(x) = float.base10_parse::<f64>() else { return Vec::new() };
-            let others = if (1e-3..1e6).contains(&x) { [8.0 * x, 0.125 * x] } else { [1e6 * x, x / 1e6] };
+            let others =
+                if (1e-3..1e6).contains(&x) { [8.0 * x, 0.125 * x] } else { [1e6 * x, x / 1e6] };
             others.into_iter().map(|x| to(format!("{x:?}{}", float.suffix()))).collect()
         }
         Lit::Int(int) => {

@@ -31,7 +31,12 @@ pub const PARTS: [Part; 6] = [
     },
     Part {
         name: "following",
-        code: &["solve/follow", "ask/measure/roots.rs", "ask/measure/extremes.rs", "linear/condition.rs"],
+        code: &[
+            "solve/follow",
+            "ask/measure/roots.rs",
+            "ask/measure/extremes.rs",
+            "linear/condition.rs",
+        ],
         tests: &["following", "measures", "proof", "jerk"],
     },
     Part { name: "laws", code: &["model/law"], tests: &["library", "measures", "jerk", "proof"] },
@@ -74,7 +79,9 @@ impl Part {
             let text = fs::read_to_string(path)?;
             let file = syn::parse_file(&text)?;
             finder::constants(&name, &file, &mut constants);
-            tests.extend(finder::test_modules(&file).iter().map(|module| children(path).join(module)));
+            tests.extend(
+                finder::test_modules(&file).iter().map(|module| children(path).join(module)),
+            );
             files.push((path, name, text, file));
         }
         files.retain(|(path, ..)| {
@@ -101,7 +108,11 @@ fn collect(path: &Path, paths: &mut Vec<PathBuf>) -> Result<()> {
 /// The folder in which the modules that a file declares are.
 fn children(file: &Path) -> PathBuf {
     let is_own_folder = file.file_stem().is_some_and(|stem| stem == "mod" || stem == "lib");
-    if is_own_folder { file.parent().unwrap_or(file).to_path_buf() } else { file.with_extension("") }
+    if is_own_folder {
+        file.parent().unwrap_or(file).to_path_buf()
+    } else {
+        file.with_extension("")
+    }
 }
 
 #[cfg(test)]

@@ -10,7 +10,8 @@ pub struct Input {
 
 /// Values of a type, the plainest first; those that do not compile are found out by the compiler.
 pub fn of(kind: &Type, inputs: &[Input]) -> Vec<String> {
-    let text = |values: &[&str]| values.iter().map(|value| (*value).to_string()).collect::<Vec<_>>();
+    let text =
+        |values: &[&str]| values.iter().map(|value| (*value).to_string()).collect::<Vec<_>>();
     match kind {
         Type::ImplTrait(_) | Type::Never(_) => Vec::new(),
         Type::Paren(kind) => of(&kind.elem, inputs),
@@ -19,7 +20,11 @@ pub fn of(kind: &Type, inputs: &[Input]) -> Vec<String> {
             let most = parts.iter().map(Vec::len).max().unwrap_or(1);
             let all = (0..most).map(|k| {
                 let part = |values: &Vec<String>| {
-                    values.get(k).or(values.last()).cloned().unwrap_or("Default::default()".to_string())
+                    values
+                        .get(k)
+                        .or(values.last())
+                        .cloned()
+                        .unwrap_or("Default::default()".to_string())
                 };
                 let comma = if parts.len() == 1 { "," } else { "" };
                 format!("({}{comma})", parts.iter().map(part).collect::<Vec<_>>().join(", "))
@@ -39,7 +44,9 @@ pub fn of(kind: &Type, inputs: &[Input]) -> Vec<String> {
             Type::Slice(_) => text(&["&[]"]),
             _ => Vec::new(),
         },
-        Type::Path(path) => path.path.segments.last().map(|name| named(name, inputs)).unwrap_or_default(),
+        Type::Path(path) => {
+            path.path.segments.last().map(|name| named(name, inputs)).unwrap_or_default()
+        }
         _ => Vec::new(),
     }
 }
@@ -60,7 +67,8 @@ fn named(name: &syn::PathSegment, inputs: &[Input]) -> Vec<String> {
             of(kind, inputs).into_iter().take(2).map(wrap).collect()
         })
     };
-    let text = |values: &[&str]| values.iter().map(|value| (*value).to_string()).collect::<Vec<_>>();
+    let text =
+        |values: &[&str]| values.iter().map(|value| (*value).to_string()).collect::<Vec<_>>();
     let ident = name.ident.to_string();
     match ident.as_str() {
         "bool" => text(&["true", "false"]),

@@ -134,7 +134,10 @@ pub fn mutants(sources: &[Source]) -> Vec<Mutant> {
 
 /// The names of those that do not.
 pub fn refused(sources: &[Source]) -> Vec<String> {
-    all(sources).into_values().filter_map(|(mutant, compiles)| (!compiles).then(|| mutant.key())).collect()
+    all(sources)
+        .into_values()
+        .filter_map(|(mutant, compiles)| (!compiles).then(|| mutant.key()))
+        .collect()
 }
 
 /// Leaves out what the compiler has refused before.
@@ -160,17 +163,27 @@ impl Source {
         if site.shape == Shape::Early || site.constant.is_some() {
             return "all of it".to_string();
         }
-        let inside: Vec<char> =
-            self.text[site.range.clone()].split_whitespace().collect::<Vec<_>>().join(" ").chars().collect();
+        let inside: Vec<char> = self.text[site.range.clone()]
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+            .chars()
+            .collect();
         let shown: String = match inside.len() {
             0..=60 => inside.iter().collect(),
             n => inside[..36].iter().chain(&[' ', '…', ' ']).chain(&inside[n - 20..]).collect(),
         };
         let line_start = self.text[..site.range.start].rfind('\n').map_or(0, |at| at + 1);
-        let before: Vec<char> = self.text[line_start..site.range.start].trim_start().chars().collect();
+        let before: Vec<char> =
+            self.text[line_start..site.range.start].trim_start().chars().collect();
         let before: String = before[before.len().saturating_sub(AROUND)..].iter().collect();
-        let after: String =
-            self.text[site.range.end..].lines().next().unwrap_or_default().chars().take(AROUND).collect();
+        let after: String = self.text[site.range.end..]
+            .lines()
+            .next()
+            .unwrap_or_default()
+            .chars()
+            .take(AROUND)
+            .collect();
         format!("{before}⟦{shown}⟧{}", after.trim_end())
     }
 
@@ -183,7 +196,8 @@ impl Source {
         let mut text = String::new();
         let mut at = range.start;
         while let Some((site, others)) = sites.split_first() {
-            let inside = others.iter().take_while(|inner| inner.range.start < site.range.end).count();
+            let inside =
+                others.iter().take_while(|inner| inner.range.start < site.range.end).count();
             text += &self.text[at..site.range.start];
             text += &site.wrap(&self.render(site.range.clone(), &others[..inside]));
             (at, sites) = (site.range.end, &others[inside..]);
@@ -213,7 +227,10 @@ impl Site {
         let at = format!("crate::mutants::at({first}, {count})");
         let text = match self.shape {
             Shape::Instead => {
-                format!("(match {at} {{ 0 => {original}, {}_ => ::std::unreachable!() }})", arms(""))
+                format!(
+                    "(match {at} {{ 0 => {original}, {}_ => ::std::unreachable!() }})",
+                    arms("")
+                )
             }
             Shape::Statement => format!("if {at} == 0 {{ {original} }}"),
             Shape::Early => format!(" match {at} {{ {}_ => {{}} }}", arms("return ")),

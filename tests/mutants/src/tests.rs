@@ -97,9 +97,13 @@ impl Tests {
 
     /// The tests by the time that they take.
     pub fn slowest(&self, count: usize) -> Vec<String> {
-        let mut all: Vec<&Test> = self.tests.iter().filter(|test| !test.reached.is_empty()).collect();
+        let mut all: Vec<&Test> =
+            self.tests.iter().filter(|test| !test.reached.is_empty()).collect();
         all.sort_by(|a, b| b.seconds.total_cmp(&a.seconds));
-        all.iter().take(count).map(|test| format!("{:7.2} s  {}", test.seconds, self.name(test))).collect()
+        all.iter()
+            .take(count)
+            .map(|test| format!("{:7.2} s  {}", test.seconds, self.name(test)))
+            .collect()
     }
 
     fn name(&self, test: &Test) -> String {
@@ -109,8 +113,9 @@ impl Tests {
     /// Runs a mutant against the tests that reach it: first those that its neighbours died of, or
     /// itself another time, then the fastest.
     pub fn judge(&self, mutant: &Mutant, before: Option<&str>) -> Result<Fate> {
-        let mut tests: Vec<usize> =
-            (0..self.tests.len()).filter(|k| self.tests[*k].reached.contains(&mutant.site)).collect();
+        let mut tests: Vec<usize> = (0..self.tests.len())
+            .filter(|k| self.tests[*k].reached.contains(&mutant.site))
+            .collect();
         if tests.is_empty() {
             return Ok(Fate::NotReached);
         }
@@ -132,7 +137,10 @@ impl Tests {
             .iter()
             .copied()
             .filter(|k| before.is_some_and(|before| before == self.name(&self.tests[*k])));
-        let near = killers.into_iter().filter(|k| tests.contains(k) && self.tests[*k].seconds < 2.0).take(4);
+        let near = killers
+            .into_iter()
+            .filter(|k| tests.contains(k) && self.tests[*k].seconds < 2.0)
+            .take(4);
         let mut groups: Vec<Vec<usize>> = known.chain(near).map(|k| vec![k]).collect();
         for program in 0..self.programs.len() {
             let quick = tests
@@ -172,7 +180,8 @@ impl Tests {
         let seconds: f64 = group.iter().map(|k| self.tests[*k].seconds).sum();
         let program = &self.programs[self.tests[group[0]].program];
         let limit = 2.0 + 3.0 * seconds;
-        let mut child = only(program, &names, limit).env("KIN_MUTANT", mutant.to_string()).spawn()?;
+        let mut child =
+            only(program, &names, limit).env("KIN_MUTANT", mutant.to_string()).spawn()?;
         ends_well(&mut child, limit)
     }
 }
@@ -197,7 +206,10 @@ fn command(program: &Program, seconds: f64) -> Command {
 
 fn only(program: &Program, names: &[impl AsRef<str>], seconds: f64) -> Command {
     let mut command = command(program, seconds);
-    command.args(["--exact", "--test-threads=1"]).args(names.iter().map(AsRef::as_ref)).stdout(Stdio::null());
+    command
+        .args(["--exact", "--test-threads=1"])
+        .args(names.iter().map(AsRef::as_ref))
+        .stdout(Stdio::null());
     command
 }
 

@@ -33,12 +33,17 @@ impl Tree {
             sources.iter().map(|source| from.join(&source.path)).chain([library.clone()]).collect();
         copy(from, &tree.root, &own)?;
         write(&tree.root.join("kin-core/src/mutants.rs"), include_str!("switch.rs"))?;
-        write(&tree.root.join("kin-core/src/lib.rs"), &(fs::read_to_string(library)? + "\nmod mutants;\n"))?;
+        write(
+            &tree.root.join("kin-core/src/lib.rs"),
+            &(fs::read_to_string(library)? + "\nmod mutants;\n"),
+        )?;
         Ok(tree)
     }
 
     pub fn write(&self, sources: &[Source]) -> Result<()> {
-        sources.iter().try_for_each(|source| write(&self.root.join(&source.path), &source.instrumented()))
+        sources
+            .iter()
+            .try_for_each(|source| write(&self.root.join(&source.path), &source.instrumented()))
     }
 
     fn cargo(&self, arguments: &[&str]) -> Result<(bool, Vec<Value>)> {
@@ -74,7 +79,10 @@ impl Tree {
             for error in &errors {
                 let found = blame(error, sources, &texts);
                 if found == 0 && error["spans"].as_array().is_some_and(|spans| !spans.is_empty()) {
-                    println!("not blamed on any mutant: {}", error["rendered"].as_str().unwrap_or_default());
+                    println!(
+                        "not blamed on any mutant: {}",
+                        error["rendered"].as_str().unwrap_or_default()
+                    );
                 }
                 refused += found;
             }
@@ -87,7 +95,8 @@ impl Tree {
 
     /// Compiles the tests.
     pub fn programs(&self, arguments: &[&str]) -> Result<Vec<Program>> {
-        let (done, messages) = self.cargo(&[&["test", "--quiet", "--no-run"], arguments].concat())?;
+        let (done, messages) =
+            self.cargo(&[&["test", "--quiet", "--no-run"], arguments].concat())?;
         if !done {
             return Err("the tests do not compile".into());
         }
@@ -115,12 +124,15 @@ fn blame(error: &Value, sources: &mut [Source], texts: &[String]) -> usize {
     for span in first.into_iter().chain(others) {
         let number = |key: &str| span[key].as_u64().unwrap_or_default() as usize;
         let place = number("byte_start")..number("byte_end");
-        let Some(file) = sources.iter().position(|source| span["file_name"] == source.path.as_str()) else {
+        let Some(file) =
+            sources.iter().position(|source| span["file_name"] == source.path.as_str())
+        else {
             continue;
         };
         let (mutants, sites) = marks(&texts[file]);
-        let around =
-            |(_, range): &&(usize, Range<usize>)| range.start <= place.start && place.end <= range.end;
+        let around = |(_, range): &&(usize, Range<usize>)| {
+            range.start <= place.start && place.end <= range.end
+        };
         if let Some((number, _)) = mutants.iter().find(around) {
             return refuse(&mut sources[file], |mutant, _| mutant == *number);
         }
@@ -169,7 +181,8 @@ fn marks(text: &str) -> (Marks, Marks) {
         let Some(kind) = text[at + 2..].chars().next() else { continue };
         match kind {
             '<' | '[' => {
-                let digits: String = text[at + 3..].chars().take_while(char::is_ascii_digit).collect();
+                let digits: String =
+                    text[at + 3..].chars().take_while(char::is_ascii_digit).collect();
                 digits.parse::<usize>().into_iter().for_each(|number| open.push((number, at)));
             }
             '>' => mutants.extend(open.pop().map(|(number, from)| (number, from..at))),
