@@ -162,7 +162,7 @@ fn a_constraint_that_does_not_know_it_is_named() {
     let error = system.run_both_with([0.0, 0.1], &with_jerk()).unwrap_err().to_string();
     assert_eq!(
         error,
-        "`ring` (on_unit_circle): Kin does not know its part of the jerk; implement `Constraint::jerk_rhs`, or run without `SolverOptions::jerk`"
+        "`ring` (on_unit_circle): Kin does not know how to compute the jerk of this constraint. To avoid this error, implement `Constraint::jerk_rhs`, or run without `SolverOptions::jerk`"
     );
 }
 

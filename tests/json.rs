@@ -201,7 +201,7 @@ fn mistakes_in_data_are_told_by_name() {
         (
             r#""u_i":[0.0,0.0]"#,
             r#""u_i":[0.0]"#,
-            "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2",
+            "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2 values",
         ),
         (
             r#""kind":"cubic""#,

@@ -112,7 +112,7 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     assert!(proof.contains("From t = 0 ms to 1 ms") && proof.contains(" mm and "), "{proof}");
     no_metre(&proof);
     let event = motion.events().first().expect("the slider passes 42 mm").to_string();
-    assert_eq!(event, "t = 0.4 ms: `slider.R_x` passes its upper limit, 42 mm");
+    assert_eq!(event, "t = 0.4 ms: `slider.R_x` passes the upper limit, 42 mm");
     assert!(system.diagnose(0.0)?.to_string().contains("at t = 0 ms: "));
     let outside = system.at(&motion, 2.0).unwrap_err().to_string();
     assert_eq!(outside, "times: t = 2 ms is outside of the motion, which goes from 0 ms to 1 ms");
@@ -161,9 +161,10 @@ fn words_come_back_from_json_and_old_files_are_in_metres() -> kin::Result<()> {
 
 #[test]
 fn a_unit_without_a_word_is_refused() {
-    for (length, time, what) in
-        [(" ", "s", "a unit of length needs a name"), ("mm", "", "a unit of time needs a name")]
-    {
+    for (length, time, what) in [
+        (" ", "s", "a unit of length has an empty name. Give the unit of length a name"),
+        ("mm", "", "a unit of time has an empty name. Give the unit of time a name"),
+    ] {
         let mut m = Mechanism::new("empty");
         m.units(length, time);
         let body = m.planar("body", pose(0.0, 0.0, 0.0)).unwrap();

@@ -51,7 +51,7 @@ impl Formula {
         let formula = reader.sum()?;
         match reader.tokens.get(reader.at) {
             None => Ok(formula),
-            Some(token) => Err(format!("`{}` is not expected here", token.word())),
+            Some(token) => Err(format!("the formula has an unexpected `{}`", token.word())),
         }
     }
 
@@ -65,7 +65,7 @@ impl Formula {
         if let Some(value) = self.constant() {
             return match value.is_finite() {
                 true => Ok(Law::constant(value)),
-                false => Err(format!("its value is {value}")),
+                false => Err(format!("the value is {value}")),
             };
         }
         let text = format!("fn law(time: f64) -> f64 {{ {} }}", self.written(0));
@@ -169,11 +169,11 @@ fn tokens(text: &str) -> Result<Vec<Token>, String> {
         all.push(match first {
             '0'..='9' | '.' => {
                 let value = word.trim_end_matches('d').replace('d', "e").parse::<f64>();
-                Token::Number(value.map_err(|_| format!("`{word}` is no number"))?)
+                Token::Number(value.map_err(|_| format!("`{word}` is not a number"))?)
             }
             '+' | '-' | '*' | '/' | '^' | '(' | ')' => Token::Sign(first),
             _ if first.is_alphabetic() => Token::Name(word.to_string()),
-            _ => return Err(format!("`{first}` is not known in a formula")),
+            _ => return Err(format!("Kin does not know `{first}` in a formula")),
         });
         rest = after.trim_start();
     }
@@ -267,21 +267,21 @@ impl Reader {
 
     fn atom(&mut self) -> Result<Formula, String> {
         let token =
-            self.tokens.get(self.at).cloned().ok_or("it ends where something is missing")?;
+            self.tokens.get(self.at).cloned().ok_or("the formula ends before a number or name")?;
         self.at += 1;
         match token {
             Token::Number(value) => Ok(Formula::Number(value)),
             Token::Sign('(') => self.bracket(),
-            Token::Sign(sign) => Err(format!("`{sign}` is not expected here")),
+            Token::Sign(sign) => Err(format!("the formula has an unexpected `{sign}`")),
             Token::Name(name) => match name.to_ascii_lowercase().as_str() {
                 "time" | "t" => Ok(Formula::Time),
                 "pi" => Ok(Formula::Number(PI)),
                 lower => {
                     let known = FUNCTIONS.iter().find(|(known, _)| *known == lower);
                     let (_, function) =
-                        known.ok_or_else(|| format!("`{name}` is not known in a formula"))?;
+                        known.ok_or_else(|| format!("Kin does not know `{name}` in a formula"))?;
                     if self.takes(&['(']).is_none() {
-                        return Err(format!("`{name}` needs its argument in brackets"));
+                        return Err(format!("`{name}` needs an argument in brackets"));
                     }
                     Ok(Formula::call(function, self.bracket()?))
                 }
@@ -329,12 +329,12 @@ mod tests {
     #[test]
     fn mistakes_in_formulas_are_told() {
         let told = |text: &str| Formula::read(text).unwrap_err();
-        assert_eq!(told("2*speed"), "`speed` is not known in a formula");
-        assert_eq!(told("sin time"), "`sin` needs its argument in brackets");
+        assert_eq!(told("2*speed"), "Kin does not know `speed` in a formula");
+        assert_eq!(told("sin time"), "`sin` needs an argument in brackets");
         assert_eq!(told("(1 + time"), "a bracket is not closed");
-        assert_eq!(told("1 + "), "it ends where something is missing");
-        assert_eq!(told("1 time"), "`time` is not expected here");
-        assert_eq!(told("1 $ 2"), "`$` is not known in a formula");
+        assert_eq!(told("1 + "), "the formula ends before a number or name");
+        assert_eq!(told("1 time"), "the formula has an unexpected `time`");
+        assert_eq!(told("1 $ 2"), "Kin does not know `$` in a formula");
         assert!(told(&"(".repeat(1000)).contains("deeper"));
         assert!(Formula::read("1/0").unwrap().law().is_err());
     }

@@ -26,10 +26,7 @@ impl<'a> Tree<'a> {
             let depth = line.len() - inside.len();
             let line = k + 1;
             if depth > DEEPEST || depth >= open.len() {
-                return Err(Mistake::at(
-                    line,
-                    "this line is indented further than anything that holds it",
-                ));
+                return Err(Mistake::at(line, "the line is indented further than its block"));
             }
             close(&mut open, depth + 1);
             open.push(Tree { line, text: inside.trim(), inside: Vec::new() });
@@ -96,12 +93,12 @@ fn close(open: &mut Vec<Tree<'_>>, depth: usize) {
 fn numbers<const N: usize>(text: &str, line: usize) -> Result<[f64; N], Mistake> {
     let number = |word: &str| {
         let value = word.parse::<f64>().ok().filter(|value| value.is_finite());
-        value.ok_or_else(|| Mistake::at(line, format!("`{word}` is no number")))
+        value.ok_or_else(|| Mistake::at(line, format!("`{word}` is not a number")))
     };
     let all = text.split_whitespace().map(number).collect::<Result<Vec<f64>, Mistake>>()?;
     let count = all.len();
     all.try_into()
-        .map_err(|_| Mistake::at(line, format!("this line needs {N} numbers, but has {count}")))
+        .map_err(|_| Mistake::at(line, format!("the line needs {N} numbers, but has {count}")))
 }
 
 #[cfg(test)]
@@ -116,7 +113,7 @@ mod tests {
         assert_eq!(a.numbers::<2>("b").unwrap(), [1.0, 2.0]);
         assert_eq!(
             a.numbers::<3>("b").unwrap_err().to_string(),
-            "line 3: this line needs 3 numbers, but has 2"
+            "line 3: the line needs 3 numbers, but has 2"
         );
         assert_eq!(a.value("c").unwrap_err().to_string(), "line 4: `c` has no value");
         assert!(Tree::read("a\n\t\tb\n").is_err());

@@ -13,11 +13,11 @@ pub fn mistake(tokens: &dyn ToTokens, message: impl std::fmt::Display) -> syn::E
 pub fn integer_for_a_number(tokens: &dyn ToTokens, k: i64) -> String {
     let text = tidy(&tokens.to_token_stream().to_string());
     if text.trim_start_matches('-').starts_with(|first: char| first.is_ascii_digit()) {
-        return format!("`{text}` is an integer; write the number `{k}.0`");
+        return format!("`{text}` is an integer: write the number `{k}.0`");
     }
     let is_one = tokens.to_token_stream().into_iter().count() == 1;
     let of = if is_one { text.clone() } else { format!("({text})") };
-    format!("`{text}` is an integer; as a number it is `{of} as f64`")
+    format!("`{text}` is an integer: write `{of} as f64` for a number")
 }
 
 /// Returns the text of a token stream without the blanks that nobody writes.

@@ -47,7 +47,7 @@ pub fn rows(shape: &Shape, ty: &syn::Type) -> syn::Result<()> {
         return Ok(());
     }
     let text = format!(
-        "a constraint has at most {MOST_NUMBERS} rows: split them into several constraints"
+        "a constraint has at most {MOST_NUMBERS} rows: split the rows into several constraints"
     );
     Err(syn::Error::new_spanned(ty, text))
 }
@@ -90,7 +90,7 @@ fn within(tokens: &TokenStream, budget: usize) -> syn::Result<()> {
 }
 
 const TOO_LONG: &str =
-    "this expression is nested too deeply, or is too long: name parts of it with `let`";
+    "this expression is nested too deeply, or is too long: name parts of the expression with `let`";
 
 /// Splits the tokens at commas and semicolons, and after blocks that end a statement.
 fn expressions(tokens: &[TokenTree]) -> Vec<&[TokenTree]> {

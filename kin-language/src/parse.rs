@@ -99,7 +99,7 @@ pub struct Argument {
 /// Returns the functions in `#[helper(with = other)]`.
 pub fn helper(attribute: TokenStream) -> syn::Result<Vec<syn::Path>> {
     const WORDS: &str =
-        "`#[helper]` takes nothing, or functions that this one calls: `with = other`";
+        "write `#[helper]`, or `#[helper(with = other)]` with the functions that the helper calls";
     let asked = attribute::asked(attribute.clone());
     asked
         .ok()
@@ -192,7 +192,7 @@ pub struct LawFn {
 /// Reads a function of one variable, its first argument.
 pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     if !attribute.is_empty() {
-        return Err(syn::Error::new_spanned(attribute, "`#[law]` takes nothing"));
+        return Err(syn::Error::new_spanned(attribute, "`#[law]` takes no argument"));
     }
     let mut function = item_fn(item.clone())?;
     let mut mistakes = Mistakes::default();
@@ -204,22 +204,22 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
         if argument.kind.slots() > 0 || argument.kind == Kind::Time {
             mistakes.add(
                 &argument.ty,
-                "a law is a function of numbers: its first argument is the variable, an `f64`",
+                "a law is a function of numbers: the first argument must be the variable, an `f64`",
             );
         }
     }
     if !matches!(&function.sig.output, ReturnType::Type(_, ty) if shape(ty) == Some(Shape::Scalar))
     {
-        mistakes.add(&function.sig.ident, "a law returns its value, an `f64`");
+        mistakes.add(&function.sig.ident, "a law must return a number, an `f64`");
     }
     match arguments.first() {
         Some(first) if first.kind == Kind::Numbers(Shape::Scalar) => {}
         Some(first) if first.kind.slots() > 0 || first.kind == Kind::Time => {}
         Some(first) => {
-            mistakes.add(&first.ty, "the first argument of a law is its variable, an `f64`")
+            mistakes.add(&first.ty, "the first argument of a law must be the variable, an `f64`")
         }
         None if mistakes.is_empty() => mistakes
-            .add(&function.sig.ident, "a law needs its variable as first argument, an `f64`"),
+            .add(&function.sig.ident, "a law needs the variable, an `f64`, as the first argument"),
         None => {}
     }
     mistakes.catch(limits::arguments(&arguments));
@@ -239,12 +239,12 @@ pub fn law(attribute: &TokenStream, item: TokenStream) -> syn::Result<LawFn> {
     })
 }
 
-const NO_COORDINATES: &str = "a constraint needs an argument of type `Planar`, `Spatial`, `Coord` or `[Coord; N]` (write the name of the type itself, not an alias)";
+const NO_COORDINATES: &str = "a constraint needs an argument of type `Planar`, `Spatial`, `Coord` or `[Coord; N]`. Write the name of the type, not an alias";
 
 pub fn item_fn(item: TokenStream) -> syn::Result<ItemFn> {
     let span = item.clone().into_iter().next().map_or_else(Span::call_site, |token| token.span());
     syn::parse2(item).map_err(|error| match error.to_string().contains("expected `fn`") {
-        true => syn::Error::new(span, "this attribute goes on a function"),
+        true => syn::Error::new(span, "write this attribute above a function"),
         false => error,
     })
 }
@@ -266,28 +266,28 @@ pub fn description(attributes: &[Attribute]) -> String {
 pub fn refuse_qualifiers(function: &ItemFn, mistakes: &mut Mistakes) {
     let sig = &function.sig;
     if let Some(word) = &sig.asyncness {
-        mistakes.add(word, "an equation has nothing to wait for: remove `async`");
+        mistakes.add(word, "an equation cannot be `async`: remove `async`");
     }
     if let Some(word) = &sig.unsafety {
         mistakes.add(word, "remove `unsafe`: the function only computes a value");
     }
     if let Some(word) = &sig.constness {
-        mistakes.add(word, "remove `const`: the function becomes a constructor");
+        mistakes.add(word, "remove `const`: the macro makes a constructor of the function");
     }
     if let Some(word) = &sig.abi {
-        mistakes.add(word, "remove `extern`: the function becomes a constructor");
+        mistakes.add(word, "remove `extern`: the macro makes a constructor of the function");
     }
     if !sig.generics.params.is_empty() {
         mistakes.add(
             &sig.generics,
-            "no generics here: write the types out, since the macro makes the function generic",
+            "remove the generics and write the types: the macro makes the function generic",
         );
     }
     if let Some(clause) = &sig.generics.where_clause {
-        mistakes.add(clause, "no `where` here: the macro makes the function generic");
+        mistakes.add(clause, "remove `where`: the macro makes the function generic");
     }
     if let Some(dots) = &sig.variadic {
-        mistakes.add(dots, "no variadic arguments: use an array");
+        mistakes.add(dots, "write an array instead of variadic arguments");
     }
 }
 
@@ -296,7 +296,7 @@ fn argument(input: &FnArg) -> syn::Result<Argument> {
         FnArg::Receiver(receiver) => {
             return Err(syn::Error::new_spanned(
                 receiver,
-                "no `self` here: a constraint is a free function of its bodies and parameters",
+                "remove `self`: a constraint is a free function of bodies and parameters",
             ));
         }
         FnArg::Typed(typed) => typed,
@@ -304,11 +304,11 @@ fn argument(input: &FnArg) -> syn::Result<Argument> {
     let Pat::Ident(pattern) = &*typed.pat else {
         return Err(syn::Error::new_spanned(
             &typed.pat,
-            "give the argument a plain name: it becomes a field of the constraint",
+            "give the argument a plain name: the argument becomes a field of the constraint",
         ));
     };
     if let Some(word) = &pattern.by_ref {
-        return Err(syn::Error::new_spanned(word, "arguments are values: remove `ref`"));
+        return Err(syn::Error::new_spanned(word, "remove `ref`: arguments are values"));
     }
     if pattern.ident.to_string().starts_with("__") {
         return Err(syn::Error::new_spanned(
@@ -332,7 +332,7 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
         ReturnType::Default => {
             return Err(syn::Error::new(
                 function.sig.ident.span(),
-                format!("`{}` returns nothing; it must return {WHAT}", function.sig.ident),
+                format!("`{}` returns no value: return {WHAT}", function.sig.ident),
             ));
         }
         ReturnType::Type(_, ty) => ty,
@@ -341,10 +341,12 @@ fn output(function: &ItemFn) -> syn::Result<(Shape, Type)> {
         Some(shape) if has_rows(&shape) => {
             limits::rows(&shape, ty).map(|()| (shape, (**ty).clone()))
         }
-        Some(Shape::Array(..)) => Err(syn::Error::new(ty.span(), "this has no rows")),
+        Some(Shape::Array(..)) => {
+            Err(syn::Error::new(ty.span(), "an array of length zero has no rows"))
+        }
         _ => Err(syn::Error::new_spanned(
             ty,
-            format!("a constraint returns {WHAT}; lengths are written as numbers"),
+            format!("a constraint returns {WHAT}. Write lengths as numbers"),
         )),
     }
 }

@@ -96,7 +96,7 @@ fn refusal(why: &Unreadable, source: &ConstraintFn) -> syn::Error {
     let name = &source.name;
     let what = &why.what;
     let text = format!(
-        "{what} cannot be read by the compiler, so `{name}` would be differentiated by dual numbers; `#[constraint(symbolic)]` forbids this"
+        "`#[constraint(symbolic)]` needs a formula of `{name}`, but Kin cannot read {what}. Rewrite this expression, or remove `symbolic` to use dual numbers"
     );
     syn::Error::new(why.span, text)
 }

@@ -103,7 +103,7 @@ def py_weld(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, theta0: float):
 
 @constraint
 def py_distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: float):
-    kin.require(length > 0, "a rod needs a length above zero")
+    kin.require(length > 0, "the length of the rod must be above zero")
     d = i.point(u_i) - j.point(u_j)
     return 0.5 * (d.norm_squared() / length - length)
 

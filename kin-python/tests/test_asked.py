@@ -69,7 +69,7 @@ def test_an_extreme_that_is_not_of_the_motion_is_refused():
             lambda wrong=wrong: system.samples(motion, x, wrong, count=10),
         ]
         for ask in asked:
-            with pytest.raises(kin.InvalidConstraint, match=rf"it has no {word} at t = .*. The nearest one is at t = .*system.extremes"):
+            with pytest.raises(kin.InvalidConstraint, match=rf"the measure has no {word} at t = .*. The nearest {word} is at t = .*system.extremes"):
                 ask()
 
 
@@ -115,7 +115,7 @@ def test_a_span_of_times_that_is_no_number_is_refused():
     m.add("d", kin.drive(m.length("x", 0.0), 0.0))
     system = m.build()
     for times in ([1e308, -1e308], [-1e308, 0.0, 1e308]):
-        with pytest.raises(kin.InvalidTimes, match="is further than the largest number, 1.797"):
+        with pytest.raises(kin.InvalidTimes, match="is above the largest number, 1.797"):
             system.run(times)
     assert len(system.run([-8e307, 8e307])) == 2
 
@@ -150,7 +150,7 @@ def test_a_measure_is_a_function_of_a_motion():
     wrong = [
         (lambda motion: 3.0, TypeError, "gives a kin.Quantity, not 3.0"),
         (lambda motion: kin.Quantity("a", "m", motion.times, motion.times), ValueError, "`a` has no rates"),
-        (lambda motion: kin.Quantity("a", "m", [], [1.0], [1.0], [1.0]), kin.WrongLength, "`a`, one number a time"),
+        (lambda motion: kin.Quantity("a", "m", [], [1.0], [1.0], [1.0]), kin.WrongLength, "`a`, one number per time"),
         (lambda motion: kin.Quantity("a", "m", [], *(0 * motion.times + np.nan,) * 3), kin.OutputNotFinite, "`a` is NaN"),
         (lambda motion: 1 / 0, ZeroDivisionError, "division by zero"),
     ]

@@ -152,7 +152,7 @@ def test_a_name_for_an_expression_is_a_dimension():
     system = m.build()
     system.set("a", 0.4)
     assert system.dimensions == {"a": 0.4, "half": 0.2} and system.parameter("O.u_i.x") == 0.2
-    with pytest.raises(kin.DimensionError, match="`half`: it is an expression of other dimensions"):
+    with pytest.raises(kin.DimensionError, match="`half`: the dimension is an expression of other dimensions"):
         system.set("half", 0.3)
 
 
@@ -198,7 +198,7 @@ MISTAKES = [
     ("foreign in gravity", lambda m, a, o: m.gravity((0, o)), "`gravity` has a dimension of another mechanism"),
     ("foreign in a law", lambda m, a, o: m.add("O", kin.drive_angle(m.planar("b"), kin.Law.ramp(o))), "`O` has a dimension of another mechanism"),
     ("several", lambda m, a, o: a + o, "`a` and `o` are dimensions of two mechanisms"),
-    ("NaN", lambda m, a, o: m.dimension("n", math.nan), "`n`: it is NaN. Give a finite number"),
+    ("NaN", lambda m, a, o: m.dimension("n", math.nan), "`n`: the value is NaN. Give a finite number"),
     ("operand", lambda m, a, o: a * math.inf, "`a` meets inf"),
     ("backtick", lambda m, a, o: m.dimension("a`b", 1.0), "name with backticks"),
     ("unused", lambda m, a, o: m.build(), "no number of the mechanism depends on the dimension `a`"),
@@ -223,7 +223,7 @@ def test_ranges_and_names_are_told():
     m.add("O", kin.revolute(m.ground, body, (0, 0), body.start))
     m.add("motor", kin.drive_angle(body, 0.0))
     system = m.build()
-    for value, words in ((0.5, "beyond its range"), (math.nan, "finite number")):
+    for value, words in ((0.5, "outside the range"), (math.nan, "finite number")):
         with pytest.raises(kin.DimensionError, match=words) as found:
             system.set("a", value)
         assert found.value.name == "a" and system.dimensions["a"] == 0.2

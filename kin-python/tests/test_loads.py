@@ -185,7 +185,7 @@ def test_a_force_acts_along_a_measure_by_its_name():
     np.testing.assert_allclose(found, C * OMEGA * abs(OMEGA), rtol=1e-12)
     found = effort(lambda m, d: absorber("door.theta", K, FREE, C, kin.Law.constant(2.0)))
     np.testing.assert_allclose(found, 2.0 * (K * (THETA - FREE) + C * OMEGA * abs(OMEGA)), rtol=1e-12)
-    with pytest.raises(kin.Error, match=r"`load` \(load\): it acts along `O.slide`"):
+    with pytest.raises(kin.Error, match=r"`load` \(load\): the load acts along `O.slide`"):
         effort(lambda m, d: loads.viscous("O.slide", C))
 
 
@@ -203,7 +203,7 @@ MISTAKES = [
     (lambda m, d: m.load("l", loads.viscous(kin.revolute(m.ground, d, (0, 0), d.start), C)), kin.Error, "2 rows"),
     (lambda m, d: m.load("l", loads.spring(d, m.ground, d.end, PIN, np.nan, FREE)), kin.Error, "stiffness"),
     (lambda m, d: m.load("l", loads.spring(d, m.ground, d.end, (1, 2, 3), K, FREE)), TypeError, "u_j"),
-    (lambda m, d: m.load("l", loads.pressure(length(m, d), 1.0, -0.01)), kin.Error, "area of a piston"),
+    (lambda m, d: m.load("l", loads.pressure(length(m, d), 1.0, -0.01)), kin.Error, "area of the piston"),
     (lambda m, d: m.load("l", kin.Load.force(m.ground, (0, 0), (1, 2))), ValueError, "a load on the ground"),
     (lambda m, d: m.load("l", kin.Load.force(d.theta, (0, 0), (1, 2))), TypeError, "acts on a body"),
     (lambda m, d: m.load("l", kin.Load.force(d, (0, 0), (1, 2, 3))), TypeError, "its force has 2 components"),

@@ -31,8 +31,8 @@ def test_degrees_are_asked_about_in_words_of_python():
     with pytest.warns(kin.MotionWarning) as caught:
         motion = crank(kin.Law.ramp(360)).build().run(np.linspace(0.0, 1.0, 11))
     assert [str(one.message) for one in caught] == [
-        "`motor` turns `crank` at 360 rad/s (57 turns/s): its law is `Law.ramp(360)`. Angles are in radians; did you mean "
-        "`Law.ramp(kin.tau)`?"
+        "`motor` turns `crank` at 360 rad/s (57 turns/s): the law of the driver is `Law.ramp(360)`. Angles are in radians; if degrees are meant, give "
+        "`Law.ramp(kin.tau)`."
     ]
     assert caught[0].filename == __file__
     [warning] = motion.warnings
@@ -120,4 +120,4 @@ for _ in range(5):
     system.run([0.0, 0.1])
 """
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
-    assert done.stderr.count("did you mean") == 1, done.stderr
+    assert done.stderr.count("if degrees are meant, give") == 1, done.stderr

@@ -129,7 +129,9 @@ impl Making {
         let wanted = signature.slots.len();
         let given = self.bodies.len();
         if wanted != given {
-            return Err(format!("it takes {wanted} bodies and coordinates, not {given}"));
+            return Err(format!(
+                "the constraint takes {wanted} bodies and coordinates, not {given}"
+            ));
         }
         let bodies = signature.slots.iter().zip(&self.bodies);
         let targets =
@@ -143,7 +145,7 @@ impl Making {
             let value =
                 self.given.iter().rev().find(|(known, _)| known == name).map(|(_, value)| value);
             let value = value.ok_or_else(|| {
-                format!("its parameter `{name}` is missing: `.with(\"{name}\", …)`")
+                format!("the parameter `{name}` is missing. Give it by `.with(\"{name}\", …)`")
             })?;
             match (&asked.kind, value) {
                 (ParameterKind::Law(_), Parameter::Law(law)) => {
@@ -169,24 +171,26 @@ impl Making {
                 }
                 (ParameterKind::Numbers { shape, .. }, Parameter::Numbers(all)) => {
                     return Err(format!(
-                        "its parameter `{name}` has {} numbers, not {}",
+                        "the parameter `{name}` takes {} numbers, not {}",
                         count(shape),
                         all.len()
                     ));
                 }
                 (ParameterKind::Law(_), _) => {
-                    return Err(format!("its parameter `{name}` is a law"));
+                    return Err(format!("the parameter `{name}` takes a law"));
                 }
                 (ParameterKind::Axis { .. }, _) => {
-                    return Err(format!("its parameter `{name}` is an axis"));
+                    return Err(format!("the parameter `{name}` takes an axis"));
                 }
-                (_, Parameter::Law(_)) => return Err(format!("its parameter `{name}` is no law")),
+                (_, Parameter::Law(_)) => {
+                    return Err(format!("the parameter `{name}` takes no law"));
+                }
             }
         }
         let known =
             |name: &String| signature.parameters.iter().any(|parameter| parameter.name == *name);
         if let Some((name, _)) = self.given.iter().find(|(name, _)| !known(name)) {
-            return Err(format!("it has no parameter `{name}`"));
+            return Err(format!("the constraint has no parameter `{name}`"));
         }
         let named = signature.numbers.iter().zip(numbers);
         let numbers = named.map(|(name, number)| bindings.number(name, number)).collect();
@@ -211,7 +215,7 @@ fn wrong(name: &str, kind: ArgumentKind) -> String {
         ArgumentKind::Spatial => "a spatial body",
         ArgumentKind::Coord => "a coordinate",
     };
-    format!("its argument `{name}` is {wanted}")
+    format!("the argument `{name}` must be {wanted}")
 }
 
 /// A body or coordinate that a constraint is made on; the ground is a body of either kind.

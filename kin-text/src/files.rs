@@ -67,7 +67,7 @@ fn made(equation: &Equation, from: &mut Reader<'_>) -> ReadConstraint {
 fn of_json(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Result<(), String> {
     let parts = |n: usize| {
         let parts = value.as_array().filter(|parts| parts.len() == n);
-        parts.ok_or_else(|| format!("{value} is not a list of {n}"))
+        parts.ok_or_else(|| format!("{value} is not a list of {n} values"))
     };
     match shape {
         Shape::Scalar => {

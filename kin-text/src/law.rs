@@ -73,7 +73,7 @@ impl LawText {
         let known =
             |name: &str| numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
         self.made(known, numbers.iter().map(|(name, _)| *name), |part| {
-            Err(format!("its part `{part}` is a law: give it in a mechanism file"))
+            Err(format!("the part `{part}` is a law. Give this part in a mechanism file"))
         })
     }
 
@@ -91,7 +91,8 @@ impl LawText {
     ) -> Result<Law, String> {
         let name = &self.0.name;
         let signature = &self.0.signature;
-        let lacks = |number: &String| format!("the law `{name}` lacks its number `{number}`");
+        let lacks =
+            |number: &String| format!("the number `{number}` of the law `{name}` is missing");
         let of = |wanted: &String| number(wanted).ok_or_else(|| lacks(wanted));
         let numbers = signature.numbers.iter().map(of).collect::<Result<Vec<f64>, _>>()?;
         let parts = signature.laws().map(part).collect::<Result<Vec<Law>, _>>()?;

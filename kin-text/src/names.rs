@@ -21,7 +21,7 @@ pub fn interned(name: &str) -> Result<&'static str, String> {
         return Ok(known);
     }
     if interned.bytes + name.len() > MOST {
-        return Err(format!("the names in all texts of this program are more than {MOST} bytes"));
+        return Err(format!("the names in all texts of this program need more than {MOST} bytes"));
     }
     interned.bytes += name.len();
     let name: &'static str = Box::leak(name.into());

@@ -98,7 +98,7 @@ pub fn read_with<T: Send>(
 }
 
 fn lost() -> Mistakes {
-    Mistakes::whole("this text cannot be read")
+    Mistakes::whole("Kin cannot read the text")
 }
 
 /// The function of a text and what its `#[constraint(…)]` or `#[force(…)]` says, with what stands
@@ -129,7 +129,7 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
                 other.attrs.clear();
                 let first = other.to_token_stream().into_iter().next();
                 let at = first.map_or_else(Span::call_site, |token| token.span());
-                return Err(syn::Error::new(at, "this attribute goes on a function"));
+                return Err(syn::Error::new(at, "write this attribute above a function"));
             }
             other => beside.push(other),
         }
@@ -157,7 +157,7 @@ fn item(text: &str) -> syn::Result<(TokenStream, ItemFn, Role)> {
 }
 
 const NO_TOKENS: &str =
-    "this is no Rust text: a bracket or quote is not closed, or a character has no meaning";
+    "the text is not Rust: a bracket or quote is not closed, or a character has no meaning";
 const NO_FUNCTION: &str = "write the equation as a function, `fn name(i: Planar, …) -> f64 { … }`";
 
 fn is_mark(attribute: &Attribute) -> bool {
@@ -252,7 +252,10 @@ impl Places<'_> {
     }
 
     fn unknown(&self, name: &str) -> syn::Error {
-        syn::Error::new(self.name.span(), format!("`{name}` is no number or law of the signature"))
+        syn::Error::new(
+            self.name.span(),
+            format!("`{name}` is not a number or law of the signature"),
+        )
     }
 
     fn stage(&self, lowered: &Lowered, nodes: &[Node]) -> syn::Result<Stage> {

@@ -108,7 +108,7 @@ impl Signature {
     }
 }
 
-const UNKNOWN: &str = "in a text a parameter is an `f64`, a vector or matrix, an array or tuple of these, an `Axis` or a `Law`; a body or coordinate is a `Planar`, `Spatial` or `Coord`";
+const UNKNOWN: &str = "write a parameter as an `f64`, a vector, a matrix, an array, a tuple, an `Axis` or a `Law`. Write a body or coordinate as `Planar`, `Spatial` or `Coord`";
 
 fn path(argument: &Argument) -> TokenStream {
     let name = &argument.name;

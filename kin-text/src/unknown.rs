@@ -8,7 +8,7 @@ use quote::ToTokens;
 use syn::{Error, Item};
 
 const BESIDE: &str =
-    "put the function or constant that the equation uses into the text, beside the equation";
+    "write the function or constant that the equation uses into the text, beside the equation";
 
 /// The lowered function, if nothing in it is known to a program alone.
 ///
@@ -17,7 +17,7 @@ pub fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
     let lowered = read.map_err(|failure| match failure {
         Failure::Mistakes(mistakes) => mistakes,
         Failure::Unreadable(why) => {
-            Error::new(why.span, format!("{} cannot be read from a text", why.what))
+            Error::new(why.span, format!("Kin cannot read {} in a text", why.what))
         }
     })?;
     let mut mistakes = Mistakes::default();
@@ -33,11 +33,13 @@ fn unknown(template: &Template, items: &[Item]) -> Error {
     let message = match path(template) {
         Some((name, around)) => match items.iter().find_map(|item| type_of(item, &name)) {
             Some(ty) => {
-                format!("`{name}` is a constant of type `{ty}`: write a number in its place")
+                format!(
+                    "`{name}` is a constant of type `{ty}`: write a number in place of `{name}`"
+                )
             }
-            None => format!("`{name}` is not known here: {}", meant(&name, around)),
+            None => format!("Kin does not know `{name}` in this text: {}", meant(&name, around)),
         },
-        None => format!("this is not known here: {BESIDE}"),
+        None => format!("Kin does not know this expression: {BESIDE}"),
     };
     Error::new(at, message)
 }
@@ -73,7 +75,7 @@ fn meant(name: &str, around: &[Ident]) -> String {
         .min_by_key(|other| apart(other))
         .filter(|other| apart(other) <= name.len() / 3)
     {
-        Some(other) => format!("is `{other}` meant?"),
+        Some(other) => format!("write `{other}` if you mean this name"),
         None => BESIDE.to_string(),
     }
 }

@@ -40,7 +40,7 @@ fn png(svg: &str) -> io::Result<Vec<u8>> {
     let width = (tree.size().width() * SCALE).ceil() as u32;
     let height = (tree.size().height() * SCALE).ceil() as u32;
     let mut pixels = tiny_skia::Pixmap::new(width, height)
-        .ok_or_else(|| io::Error::other("the picture has no size"))?;
+        .ok_or_else(|| io::Error::other("the picture has a width or height of zero"))?;
     resvg::render(&tree, tiny_skia::Transform::from_scale(SCALE, SCALE), &mut pixels.as_mut());
     pixels.encode_png().map_err(io::Error::other)
 }
@@ -49,6 +49,6 @@ fn png(svg: &str) -> io::Result<Vec<u8>> {
 fn png(_: &str) -> io::Result<Vec<u8>> {
     Err(io::Error::new(
         io::ErrorKind::Unsupported,
-        "PNG needs the feature `png` of kin-view; SVG does not",
+        "PNG needs the feature `png` of kin-view. Write an SVG file, or enable the feature",
     ))
 }

@@ -44,7 +44,7 @@ fn slope_that_is_infinite() {
     let expected =
         "C_q of `slot` row 1 is not finite at t = 0.25 s: `(x - 0.2).sqrt()` has no finite slope (operand 0).
   tests/blame/messages.rs:7:6, at slider = 0.2.
-  Avoid this pose, or write the equation smoothly: d·d - l*l instead of d.norm() - l.";
+  Avoid this pose, or write a smooth equation: `d.dot(d) - l * l` instead of `d.norm() - l`.";
     assert_eq!(text([0.2, 1.0], true), expected);
 }
 

@@ -146,13 +146,14 @@ fn is_refusal(error: &Error) -> bool {
 fn stands_in_the_way(system: &System) -> Option<String> {
     if system.n_equations() > system.n_coordinates() {
         return Some(
-            "the mechanism cannot be compiled: it has more equations than coordinates".into(),
+            "Kin cannot compile the mechanism: the mechanism has more equations than coordinates"
+                .into(),
         );
     }
     let unread =
         system.constraints().find(|(_, constraint)| constraint.facts().route() != Route::Symbolic);
     unread.map(|(name, _)| {
-        format!("`{name}` cannot be compiled: Kin does not know its equation as a formula")
+        format!("Kin cannot compile `{name}`: Kin does not know the equation as a formula")
     })
 }
 
@@ -168,7 +169,7 @@ fn is_right(system: &System, text: &str) {
         return;
     }
     let is_named = |(name, _): &(&str, &dyn Constraint)| {
-        text.contains(&format!("`{name}` cannot be compiled: "))
+        text.contains(&format!("Kin cannot compile `{name}`: "))
     };
     let named = system.constraints().find(is_named).map(|(_, constraint)| constraint.facts());
     let facts = named.unwrap_or_else(|| panic!("no constraint is named: {text}"));

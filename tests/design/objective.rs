@@ -100,7 +100,7 @@ fn where_there_is_no_value_there_is_an_error() {
         let objective = system.objective(["crank", "rod"], &times, slider.x(), cost).expect("one");
         objective.at(p).expect_err("an error").to_string()
     };
-    assert!(error(&[0.3, 0.25]).contains("beyond its range"));
+    assert!(error(&[0.3, 0.25]).contains("outside the range"));
     assert!(error(&[0.15, 0.1]).contains("t = ")); // a toggle on the way
     assert!(error(&[0.1]).contains("point of an objective"));
     let unknown = system.objective(["crunk"], &times, slider.x(), cost).err().expect("an error");

@@ -39,7 +39,9 @@ fn rods(scale: f64, places: [f64; 3], length: f64, (from, speed): (f64, f64)) ->
 
 fn refused(system: &System, motion: &Motion, name: &str) {
     let said = system.sensitivities(motion, [name]).err().expect("an error").to_string();
-    let start = format!("no derivative by `{name}`: the redundant mechanism closes at this value");
+    let start = format!(
+        "Kin cannot compute a derivative by `{name}`: the redundant mechanism closes at this value"
+    );
     assert!(said.starts_with(&start), "{said}");
     let what = system.coordinate_names()[1].clone();
     let backward = system.gradient(motion, [name], &what, |_| [1.0; 3]).expect_err("an error");

@@ -48,7 +48,10 @@ fn a_parameter_that_nothing_hangs_on() {
     m.add("O", revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start())).unwrap();
     m.add("held", held(crank, 0.5, 2.0)).unwrap();
     let text = said(&m.build().unwrap(), &[0.0], "held.spare");
-    assert_eq!(text, "no derivative by `held.spare`: no equation depends on it");
+    assert_eq!(
+        text,
+        "Kin cannot compute a derivative by `held.spare`: no equation depends on the parameter"
+    );
 }
 
 /// A parallelogram with a third crank: one length of its own is one too many.
@@ -70,7 +73,9 @@ fn a_redundant_mechanism_that_closes_at_one_value_only() {
     let system = three_cranks();
     let text = said(&system, &[0.0, 0.1], "O3.u_i.x");
     assert!(
-        text.starts_with("no derivative by `O3.u_i.x`: the redundant mechanism closes"),
+        text.starts_with(
+            "Kin cannot compute a derivative by `O3.u_i.x`: the redundant mechanism closes"
+        ),
         "{text}"
     );
 }
@@ -152,7 +157,7 @@ fn a_law_of_which_no_derivative_by_its_parameter_is_known() {
     let text = said(&crank(Law::fourier(0.1, 1.0, &[(0.2, 0.3)])), &[0.0, 1.0], "motor.law.omega");
     assert_eq!(
         text,
-        "no derivative by `motor.law.omega`: Kin does not know how its law depends on it"
+        "Kin cannot compute a derivative by `motor.law.omega`: Kin does not know how the law depends on the parameter"
     );
 }
 
@@ -174,7 +179,9 @@ fn a_kink_at_a_time() {
     m.add("bounce", bounce(crank, other, 2.0)).unwrap();
     let text = said(&m.build().unwrap(), &[0.0, 0.5, 1.0, 1.5], "bounce.k");
     assert!(
-        text.starts_with("no derivative by `bounce.k`: at t = 1 s there is a kink of `bounce`"),
+        text.starts_with(
+            "Kin cannot compute a derivative by `bounce.k`: at t = 1 s there is a kink of `bounce`"
+        ),
         "{text}"
     );
 }
@@ -242,9 +249,9 @@ fn an_extreme_that_is_not_of_the_motion_is_refused() {
             let text = error.to_string();
             for part in [
                 "`x`",
-                &format!("it has no {word} at t = "),
-                "nearest one is at t = ",
-                "take an extreme",
+                &format!("the measure has no {word} at t = "),
+                "nearest {word} is at t = ",
+                "Choose an extreme",
             ] {
                 assert!(text.contains(part), "{part}: {text}");
             }

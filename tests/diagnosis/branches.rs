@@ -87,7 +87,7 @@ fn axis_that_is_wrong_any_way_up_is_told() {
         let text = error.to_string();
         assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
         assert!(
-            text.contains("`hinge 9` (revolute) closes the wrong way")
+            text.contains("`hinge 9` (revolute) is assembled the wrong way round")
                 || text.contains("`hinge 0` (revolute) closes"),
             "{text}"
         );

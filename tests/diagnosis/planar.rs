@@ -157,7 +157,7 @@ fn two_drivers_that_contradict_in_position() {
     let text = error.to_string();
     assert!(
         text.contains(
-            "`motor 2` requires rocker.theta = 2.0000, which contradicts `motor` (crank.theta = 1.0000), "
+            "`motor 2` requires rocker.theta = 2.0000 rad, which contradicts `motor` (crank.theta = 1.0000 rad), "
         ),
         "{text}"
     );

@@ -61,11 +61,15 @@ fn right_six_bar_runs() {
 fn exchanged_bodies_of_a_plate_and_a_link() {
     let text = told(Fault::Exchanged);
     assert!(
-        text.contains("\n  The points of `D` are exchanged: in `rod` it has (0.0100, 0.0400)"),
+        text.contains(
+            "\n  The points of `D` are exchanged: (0.0100, 0.0400) m for `rod` is a point of"
+        ),
         "{text}"
     );
     assert!(
-        text.contains("Give `D` its bodies in the order of its points: first `plate`, then `rod`"),
+        text.contains(
+            "Give the bodies of `D` in the order of the points: first `plate`, then `rod`"
+        ),
         "{text}"
     );
 }
@@ -76,7 +80,9 @@ fn exchanged_bodies_of_a_plate_and_a_link() {
 fn degrees_that_are_out_of_reach() {
     let text = told(Fault::Degrees);
     assert!(
-        text.contains("`motor` requires crank.theta = 60.0000 (more than a turn from its guess)"),
+        text.contains(
+            "`motor` requires crank.theta = 60.0000 rad (more than a turn from its guess)"
+        ),
         "{text}"
     );
     assert!(
@@ -89,7 +95,7 @@ fn degrees_that_are_out_of_reach() {
 fn second_motor_of_a_six_bar() {
     let text = told(Fault::SecondMotor);
     assert!(
-        text.contains("\n  `second motor` requires arm.theta = 2.0000, which contradicts ")
+        text.contains("\n  `second motor` requires arm.theta = 2.0000 rad, which contradicts ")
             && text.contains("Remove `second motor`"),
         "{text}"
     );
@@ -99,7 +105,7 @@ fn second_motor_of_a_six_bar() {
 fn crank_of_a_six_bar_that_is_ten_times_too_long() {
     let text = told(Fault::LongCrank);
     assert!(
-        text.contains("\n  One of these does not fit: `crank` is 0.300 m long, ")
+        text.contains("\n  One of these dimensions does not fit: `crank` is 0.300 m long, ")
             && text.contains("Make `crank` at most 0.2"),
         "{text}"
     );

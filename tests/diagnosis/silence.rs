@@ -88,7 +88,7 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     );
     let text = motion.summary();
     assert!(
-        text.contains("distance of the first position from the drawn one: `")
+        text.contains("distance of the first position from the drawn position: `")
             && !text.contains("warning"),
         "{text}"
     );

@@ -305,7 +305,7 @@ fn turn_of_a_hinge_is_not_idle() {
     .unwrap();
     let found = m.diagnose(0.0).unwrap();
     assert!(!found.freedoms[0].idle && m.hold_idle_turns().unwrap().is_empty());
-    assert!(found.to_string().contains("Drive or hold the turn of `Part2`"), "{found}");
+    assert!(found.to_string().contains("Drive or hold the rotation of `Part2`"), "{found}");
 }
 
 #[test]
@@ -368,6 +368,6 @@ fn body_is_named_whose_name_is_taken() {
     m.link("crank", 1.0).unwrap();
     assert_eq!(
         m.link("crank", 2.0).unwrap_err().to_string(),
-        "two bodies or coordinates have the name `crank`. Choose another name for one"
+        "two bodies or coordinates have the name `crank`. Give the two bodies or coordinates different names"
     );
 }

@@ -34,7 +34,7 @@ fn a_mechanism_comes_back_with_what_hangs_on_its_dimensions() {
         assert_eq!(one.parameters(), other.parameters());
         assert!(same_bits(&one.run_both(times()).unwrap(), &other.run_both(times()).unwrap()));
     }
-    assert!(other.set("crank", 0.3).unwrap_err().to_string().contains("beyond its range"));
+    assert!(other.set("crank", 0.3).unwrap_err().to_string().contains("outside the range"));
 }
 
 #[test]
@@ -141,7 +141,7 @@ fn slips_in_a_file_are_told_by_name() {
             .build()
             .unwrap_err()
             .to_string()
-            .contains("excludes its value 1")
+            .contains("excludes the value 1")
     );
 }
 

@@ -156,7 +156,7 @@ fn a_tensor_hangs_on_dimensions() -> kin::Result<()> {
     // A tensor that no body has is told, and the system stays as it was.
     for (name, x, told) in [
         ("product", 0.9, "`product`: with 0.9 `rotor`"),
-        ("product", f64::NAN, "`product`: it cannot be NaN"),
+        ("product", f64::NAN, "`product`: the value is NaN"),
         ("j", -0.1, "the principal moment"),
         ("mass", -1.0, "the mass is -1. Give a value above zero"),
     ] {
@@ -225,7 +225,7 @@ fn what_makes_no_sense_is_told_by_name() -> kin::Result<()> {
         ("J", -0.01, "the dimension `J`: with -0.01 `arm` (mass): "),
         ("r", 0.0, "the dimension `r`: with 0 `O` (friction): "),
         ("mu", -0.1, "the coefficient is -0.1"),
-        ("g", f64::INFINITY, "the dimension `g`: it cannot be inf"),
+        ("g", f64::INFINITY, "the dimension `g`: the value is inf"),
         ("nobody", 1.0, "nobody"),
     ] {
         let error = system.set(name, x).expect_err(name).to_string();
@@ -248,7 +248,7 @@ fn expressions_ranges_and_strangers_are_told_by_name() -> kin::Result<()> {
     m.load("push", Load::force(bar, (0.0, 1.0 / x), vec2(1.0, 0.0)))?;
     m.load("pull", Load::force(bar, (0.0, 0.0), [Law::constant(1.0 / x), Law::constant(0.0)]))?;
     let mut system = m.clone().build()?;
-    assert!(system.set("x", 6.0).expect_err("a range").to_string().contains("beyond its range"));
+    assert!(system.set("x", 6.0).expect_err("a range").to_string().contains("outside the range"));
     let error = system.set("x", 0.0).expect_err("1/0").to_string();
     assert!(error.contains("the dimension `x`: with 0 "), "{error}");
     system.set("x", 4.0)?;
@@ -278,7 +278,7 @@ fn expressions_ranges_and_strangers_are_told_by_name() -> kin::Result<()> {
             .map(|_| ())
             .expect_err("a stranger")
             .to_string()
-            .contains("of another mechanism")
+            .contains("does not belong to")
     );
     // The mechanism stays as it was.
     assert_eq!(m.data()?, m.clone().data()?);
@@ -340,6 +340,9 @@ fn masses_have_no_share_in_a_motion() -> kin::Result<()> {
         .map(|_| ())
         .expect_err("it moves nothing")
         .to_string();
-    assert!(error.contains("`mass`") && error.contains("no equation depends on it"), "{error}");
+    assert!(
+        error.contains("`mass`") && error.contains("no equation depends on the parameter"),
+        "{error}"
+    );
     Ok(())
 }

@@ -36,18 +36,24 @@ fn what_makes_no_sense_is_told_by_name() {
             told(|m, _| m.dimension("crank", 1.0).map(|_| ())),
             "two dimensions have the name `crank`",
         ),
-        (told(|m, _| m.dimension(" ", 1.0).map(|_| ())), "a dimension needs a name"),
+        (
+            told(|m, _| m.dimension(" ", 1.0).map(|_| ())),
+            "a dimension has an empty name. Give the dimension a name",
+        ),
         (
             told(|m, _| m.dimension("b", f64::NAN).map(|_| ())),
-            "`b`: it is NaN. Give a finite number",
+            "`b`: the value is NaN. Give a finite number",
         ),
         (
             told(|_, a| done(a.within(0.2, 0.3))),
-            "`crank`: its range 0.2 … 0.3 excludes its value 0.12",
+            "`crank`: the range 0.2 … 0.3 excludes the value 0.12",
         ),
-        (told(|_, a| done(a.within(f64::NAN, 0.3))), "`crank`: its range NaN … 0.3 excludes"),
-        (told(|_, a| done(a.tolerance(-0.1))), "`crank`: its tolerance is ± -0.1"),
-        (told(|_, a| done((a / 2.0).tolerance(0.1))), "`crank / 2.0`: it is an expression"),
+        (told(|_, a| done(a.within(f64::NAN, 0.3))), "`crank`: the range NaN … 0.3 excludes"),
+        (told(|_, a| done(a.tolerance(-0.1))), "`crank`: the tolerance is ± -0.1"),
+        (
+            told(|_, a| done((a / 2.0).tolerance(0.1))),
+            "`crank / 2.0`: an expression has no range, tolerance or unit",
+        ),
         (told(|m, a| m.link("neg", a - 1.0).map(|_| ())), "the link `neg` has the length -0.88"),
     ] {
         assert!(found.contains(expected), "{found}\n  for {expected}");
@@ -80,7 +86,7 @@ fn a_name_that_something_else_has_is_told() {
         m.build()
             .unwrap_err()
             .to_string()
-            .contains("`B.u_i.x`: a coordinate or parameter has that name")
+            .contains("`B.u_i.x`: a coordinate or parameter has the same name")
     );
 }
 
@@ -118,10 +124,10 @@ fn a_value_that_cannot_be_set_leaves_the_old_one() {
     let mut system = NOMINAL.described().unwrap().build().unwrap();
     let before = (system.dimensions(), system.parameters());
     for (name, value, told) in [
-        ("crank", f64::NAN, "`crank`: it cannot be NaN"),
-        ("crank", 0.3, "`crank`: 0.3 is beyond its range 0.05 … 0.2"),
+        ("crank", f64::NAN, "`crank`: the value is NaN"),
+        ("crank", 0.3, "`crank`: the value 0.3 is outside the range 0.05 … 0.2"),
         ("ratio", -1.0, "the link `rod` has the length -0.1"),
-        ("ratio", f64::INFINITY, "it cannot be inf"),
+        ("ratio", f64::INFINITY, "the value is inf"),
         ("cranc", 0.1, "`cranc`"),
     ] {
         let error = system.set(name, value).unwrap_err().to_string();
@@ -139,11 +145,14 @@ fn a_value_that_cannot_be_set_leaves_the_old_one() {
             .set("half", 2.0)
             .unwrap_err()
             .to_string()
-            .contains("`half`: it is an expression of other dimensions")
+            .contains("`half`: the dimension is an expression of other dimensions")
     );
     assert!(system.sweep(["half"]).err().unwrap().to_string().contains("`half`"));
     let error = system.set("a", 0.5).unwrap_err().to_string();
-    assert!(error.contains("`a`: with 0.5 `motor.law.second.rate` is NaN"), "{error}");
+    assert!(
+        error.contains("`a`: with the value 0.5 the parameter `motor.law.second.rate` is NaN"),
+        "{error}"
+    );
     system.set("a", 2.0).unwrap();
     assert_eq!(system.dimensions(), [("a".to_string(), 2.0), ("half".to_string(), 1.0)]);
 }

@@ -101,7 +101,7 @@ fn a_fifth_of_a_box_that_cannot_be_assembled_is_told_with_its_share() {
     assert!((found.mean() - sum / inside).abs() < 5.0 * found.sigma() / (count as f64).sqrt());
     let told = found.to_string();
     let share = format!("{} samples, {:.1}", found.missing(), 100.0 * found.share_missing());
-    assert!(told.contains(&share) && told.ends_with("%, cannot be assembled."), "{told}");
+    assert!(told.contains(&share) && told.ends_with("%) cannot be assembled."), "{told}");
     // Beyond the toggle the stack has no corner.
     let stack = system.tolerance(&motion, slider.x()).expect("a tolerance");
     assert!(stack.corners.contains(&None), "{stack}");
@@ -155,12 +155,18 @@ fn clearances_and_distributions_that_make_no_sense_are_told_by_name() {
         let gap = m.clearance("gap", 0.1)?;
         x(m, gap.x.distributed(Distribution::Uniform) + gap.y)
     });
-    assert!(other.contains("`gap.x`") && other.contains("uniform in its disc"), "{other}");
+    assert!(
+        other.contains("`gap.x`") && other.contains("a uniform distribution in a disc"),
+        "{other}"
+    );
     let two = told(&|m| {
         let gap = m.clearance("gap", 0.1)?;
         x(m, gap.x.tolerance(0.2) + gap.y)
     });
-    assert!(two.contains("`gap.x`") && two.contains("one tolerance"), "{two}");
+    assert!(
+        two.contains("`gap.x`") && two.contains("Give both dimensions the same tolerance"),
+        "{two}"
+    );
     let negative = told(&|m| {
         let gap = m.clearance("gap", -0.1)?;
         x(m, gap.x + gap.y)

@@ -100,7 +100,9 @@ fn of_a_redundant_mechanism_what_moves_together_has_a_derivative() {
     let motion = system.run_both(linspace(0.0, 1.0, 5)).unwrap();
     let refused = system.sensitivities(&motion, ["A2.u_i.x"]).map(|_| ()).unwrap_err().to_string();
     assert!(
-        refused.contains("no derivative by `A2.u_i.x`: the redundant mechanism closes"),
+        refused.contains(
+            "Kin cannot compute a derivative by `A2.u_i.x`: the redundant mechanism closes"
+        ),
         "{refused}"
     );
     let by = system.sensitivities(&motion, ["length"]).unwrap();
@@ -123,9 +125,15 @@ fn what_has_no_derivative_is_told_by_name() {
     let system = m.build().unwrap();
     let motion = system.run_both([0.0, 1.0]).unwrap();
     for (name, told) in [
-        ("a", "no derivative by `a`: `x drive.law.c` has no finite derivative by it"),
-        ("half", "`half`: it is an expression of other dimensions"),
-        ("guess", "no derivative by `guess`: no equation depends on it"),
+        (
+            "a",
+            "Kin cannot compute a derivative by `a`: `x drive.law.c` has no finite derivative by `a`",
+        ),
+        ("half", "`half`: the dimension is an expression of other dimensions"),
+        (
+            "guess",
+            "Kin cannot compute a derivative by `guess`: no equation depends on the parameter",
+        ),
         ("z", "`z`"),
     ] {
         let error = system.sensitivities(&motion, [name]).map(|_| ()).unwrap_err().to_string();

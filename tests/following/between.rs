@@ -351,7 +351,7 @@ fn a_step_over_millions_of_swings_is_refused_or_needs_none() {
         let error = system.run_both([0.0, end]).unwrap_err();
         assert!(
             matches!(error, Error::CannotFollow { .. })
-                && error.to_string().contains("give closer times"),
+                && error.to_string().contains("Give closer times"),
             "{end:e}: {error}"
         );
     }

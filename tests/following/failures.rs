@@ -117,7 +117,7 @@ fn a_run_that_needs_too_many_smaller_steps_says_so_soon() {
     };
     for times in [2, 3] {
         let Err(Error::CannotFollow { t, reason, .. }) = run(2e6, times) else { panic!("{times}") };
-        assert!(t < 0.1 && reason.contains("give closer times"), "{t} {reason}");
+        assert!(t < 0.1 && reason.contains("Give closer times"), "{t} {reason}");
     }
     // A few thousand are no trouble.
     let motion = run(1e3, 2).unwrap();

@@ -361,7 +361,10 @@ fn loads_of_a_file_that_make_no_sense_are_refused_by_name() {
     assert_eq!(body, "load `push`: no body `c`");
     let area =
         told(&|loads| loads[3]["parts"][0]["along"]["force"]["parameters"]["area"] = (-1.0).into());
-    assert_eq!(area, "`pressure` (pressure): the area of a piston is above zero (area = -1)");
+    assert_eq!(
+        area,
+        "`pressure` (pressure): the area of the piston must be above zero (area = -1)"
+    );
     let missing = told(&|loads| {
         loads[4]["parts"][0]["along"]["x"]["parameters"]
             .as_object_mut()
@@ -369,5 +372,8 @@ fn loads_of_a_file_that_make_no_sense_are_refused_by_name() {
             .remove("u_i");
     });
     assert_eq!(missing, "load `gas`: its parameter `u_i` is missing");
-    assert_eq!(told(&|loads| loads[0]["parts"] = serde_json::json!([])), "a load needs a name");
+    assert_eq!(
+        told(&|loads| loads[0]["parts"] = serde_json::json!([])),
+        "a load has an empty name. Give the load a name"
+    );
 }

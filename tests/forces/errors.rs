@@ -89,9 +89,15 @@ fn loads_that_make_no_sense() {
     assert!(
         told(m.load("push", Load::torque(arm, 1.0))).contains("two loads have the name `push`")
     );
-    assert!(told(m.load(" ", Load::torque(arm, 1.0))).contains("a load needs a name"));
+    assert!(
+        told(m.load(" ", Load::torque(arm, 1.0)))
+            .contains("a load has an empty name. Give the load a name")
+    );
     let turn = Load::along(revolute(ground, arm, vec2(0.0, 0.0), arm.start()), |_, _, _| 1.0);
-    assert!(told(m.load("both", turn)).contains("a load acts along one number, this has 2 rows"));
+    assert!(
+        told(m.load("both", turn))
+            .contains("a load acts along one number, but this constraint has 2 rows")
+    );
 }
 
 #[test]
@@ -100,7 +106,7 @@ fn an_energy_is_no_constraint() {
     let spring = kin::loads::spring(m.ground(), arm, vec2(0.0, 1.0), arm.end(), 10.0, 0.2);
     assert_eq!(
         told(m.add("closer", spring.clone())),
-        "`closer` (spring): it is an energy, which holds nothing. Add it by `m.load(…)`"
+        "`closer` (spring): an energy is a load, not a constraint. Add the energy by `m.load(…)`"
     );
     m.load("closer", spring).expect("a load");
 }
@@ -118,7 +124,10 @@ fn forces_of_nothing_and_names_that_nothing_has() {
     let (m, _) = arm();
     let system = m.build().expect("a system");
     let motion = system.run_both([0.0, 1.0]).expect("a motion");
-    assert!(told(system.forces(&motion)).contains("no body has mass and no load acts"));
+    assert!(
+        told(system.forces(&motion))
+            .contains("no body of the mechanism has mass, and no load acts")
+    );
     let (mut m, arm) = self::arm();
     m.mass(arm, 1.0, vec2(0.0, 0.0), 0.1).expect("a mass");
     let free = m.planar("weight", pose(1.0, 0.0, 0.0)).expect("a body");
@@ -130,7 +139,10 @@ fn forces_of_nothing_and_names_that_nothing_has() {
     assert!(told(forces.drive("O")).contains("there is no driver `O`"));
     assert!(told(forces.load("spring").map(|_| ())).contains("there is no load `spring`"));
     let on = forces.reaction("O").expect("a joint").on(free).map(|_| ());
-    assert_eq!(told(on), "`O` (reaction): it does not act on `weight`; it acts on arm");
+    assert_eq!(
+        told(on),
+        "`O` (reaction): the constraint does not act on `weight`. Choose a body on which the constraint acts: arm"
+    );
     let acted = forces.reaction("O").expect("a joint").on(arm).expect("its body");
     assert!(told(acted.component("F_z")).contains("there is no component `F_z`"));
 }
@@ -160,7 +172,9 @@ fn units_of_forces_are_told() {
     assert_eq!((on.magnitude().expect("unique").unit(), forces.balance().left.unit()), ("N", "mW"));
     m = Mechanism::new("nameless");
     m.units("mm", "s").mass(" ");
-    assert!(told(m.build()).contains("a unit of mass needs a name"));
+    assert!(
+        told(m.build()).contains("a unit of mass has an empty name. Give the unit of mass a name")
+    );
 }
 
 /// Units that contradict one another are told at build, each by what contradicts what.
@@ -178,14 +192,16 @@ fn contradictory_units() {
     });
     assert_eq!(
         twice,
-        "`units` (words): your code declares them as mm, s and t, and again as m, s and t. Kin converts nothing, so \
-         declare them once"
+        "`units` (words): your code declares the units mm, s and t, and later the units m, s and t. Kin converts no units, so declare the units once"
     );
     let masses = with(&|m| {
         m.units("mm", "s").mass("t");
         m.units("mm", "s").mass("kg");
     });
-    assert!(masses.contains("declares them as mm, s and t, and again as mm, s and kg"), "{masses}");
+    assert!(
+        masses.contains("declares the units mm, s and t, and later the units mm, s and kg"),
+        "{masses}"
+    );
     let same = with(&|m| {
         m.units("mm", "s").mass("t");
         m.units("mm", "s").mass("t");
@@ -193,9 +209,15 @@ fn contradictory_units() {
     });
     assert_eq!(same, "");
     let swapped = with(&|m| m.units("s", "mm").mass("kg"));
-    assert!(swapped.contains("the unit of length is `s`, which is one of time"), "{swapped}");
+    assert!(
+        swapped.contains("`s` is a unit of time, but your code gives it as the unit of length"),
+        "{swapped}"
+    );
     let force = with(&|m| m.units("mm", "s").mass("N"));
-    assert!(force.contains("the unit of mass is `N`, which is one of force"), "{force}");
+    assert!(
+        force.contains("`N` is a unit of force, but your code gives it as the unit of mass"),
+        "{force}"
+    );
 }
 
 /// The number 9.81 is the earth's gravity in metres and seconds alone.
@@ -210,10 +232,10 @@ fn gravity_in_other_units() {
     };
     assert_eq!(
         with("mm", "s", 9.81),
-        "`gravity` (acceleration): 9.81 mm/s^2 is the earth's gravity in other units; in mm/s^2 it is 9806.65. Give it in the units of the mechanism, or declare its units by `m.units(length, time).mass(mass)`"
+        "`gravity` (acceleration): 9.81 mm/s^2 is the earth's gravity in other units. In mm/s^2 the earth's gravity is 9806.65. Give gravity in the units of the mechanism, or declare the units by `m.units(length, time).mass(mass)`"
     );
-    assert!(with("m", "s", 9810.0).contains("in m/s^2 it is 9.80665"));
-    assert!(with("mm", "ms", 9.81).contains("in mm/ms^2 it is 0.00980665"));
+    assert!(with("m", "s", 9810.0).contains("In m/s^2 the earth's gravity is 9.80665"));
+    assert!(with("mm", "ms", 9.81).contains("In mm/ms^2 the earth's gravity is 0.00980665"));
     for (length, time, g) in [
         ("mm", "s", 9810.0),
         ("cm", "s", 981.0),
@@ -243,7 +265,7 @@ fn dimensions_in_other_units() {
     };
     assert_eq!(
         with("m"),
-        "`reach` (dimension): it is in m, but the mechanism has lengths in mm. Kin converts nothing, so give it in mm"
+        "`reach` (dimension): the dimension is in m, but the mechanism has lengths in mm. Kin converts no units, so give the dimension in mm"
     );
     assert_eq!(
         (with("mm"), with("rad"), with("mm^2")),

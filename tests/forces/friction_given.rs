@@ -29,32 +29,32 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
         ),
         (
             slide(0.1, 0.4, 0.1, 0.0),
-            "the rate at which friction sets in is 0. Give a value above zero",
+            "the velocity at which friction reaches its full size is 0. Give a value above zero",
         ),
         (
             slide(0.1, 0.4, 0.1, -1.0),
-            "the rate at which friction sets in is -1. Give a value above zero",
+            "the velocity at which friction reaches its full size is -1. Give a value above zero",
         ),
         (
             slide(0.1, 0.4, 0.1, f64::NAN),
-            "the rate at which friction sets in is NaN. Give a value above zero",
+            "the velocity at which friction reaches its full size is NaN. Give a value above zero",
         ),
         (Friction::pin(0.1, 0.0, 1.0), "the radius of the pin is 0. Give a value above zero"),
         (
             Friction::pin(0.1, 0.02, 1.0),
-            "friction of a pin needs one of revolute, cylindrical, but this is `prismatic`",
+            "friction of a pin needs one of the joints revolute, cylindrical, but the joint is `prismatic`",
         ),
     ] {
         assert_eq!(told("incline", friction), format!("`incline` (friction): {due}"));
     }
-    assert!(told("rod", slide(0.1, 0.4, 0.1, 1.0)).contains("but this is `distance`"));
+    assert!(told("rod", slide(0.1, 0.4, 0.1, 1.0)).contains("but the joint is `distance`"));
     assert!(told("slide", slide(0.1, 0.4, 0.1, 1.0)).starts_with("there is no constraint `slide`"));
     let body = m.spatial("body", SpatialPose::at(Vec3::zeros())).expect("a body");
     let o = Vec3::zeros();
     let own = EulerParameters::new(1.0, 0.0, 0.0, 0.0);
     m.add("rail", spatial::prismatic(body, m.ground(), o, o, X, own)).expect("a joint");
     let told = m.friction("rail", slide(0.1, 0.4, 0.0, 1.0)).unwrap_err().to_string();
-    assert!(told.contains("across its width: give one above zero"), "{told}");
+    assert!(told.contains("by its width. Give a width above zero"), "{told}");
     let (m, _) = inclined(0.1, 0.4, 1.0, Law::ramp(1.0));
     let system = m.build().expect("a system");
     let motion = system.run_both([0.0, 1.0]).expect("a motion");
@@ -80,7 +80,7 @@ fn friction_of_a_joint_of_ones_own_is_refused_whatever_its_name() {
     let drum = m.planar("drum", pose(0.0, 0.0, 0.0)).expect("a body");
     m.add("shaft", revolute(drum, m.ground(), vec2(0.1, 0.0), O)).expect("a joint");
     let told = m.friction("shaft", Friction::pin(0.1, 0.02, 1.0)).unwrap_err().to_string();
-    let due = "`shaft` (friction): friction of a pin needs one of revolute, cylindrical, but this is `revolute`, which is user-defined";
+    let due = "`shaft` (friction): friction of a pin needs one of the joints revolute, cylindrical, but the joint is `revolute`, which is user-defined";
     assert_eq!(told, due);
 }
 
@@ -120,6 +120,6 @@ fn friction_comes_back_from_a_file_and_stands_in_the_table() {
     let told = Mechanism::from_data(&wrong, &Registry::new()).map(|_| ()).unwrap_err().to_string();
     assert_eq!(
         told,
-        "`O` (friction): the rate at which friction sets in is -0.5. Give a value above zero"
+        "`O` (friction): the velocity at which friction reaches its full size is -0.5. Give a value above zero"
     );
 }

@@ -167,5 +167,5 @@ fn a_law_whose_kind_no_formula_decides_has_the_unit_of_energy() {
         let wheel = by_wheel(crank, crank.end(), vec2(1.0, 0.0), 0.25, law.clone());
         m.add("driver", wheel).map(drop).unwrap();
     });
-    checked(&asked(&system), &[law], &[("driver", "J a unit of its law")]);
+    checked(&asked(&system), &[law], &[("driver", "J per unit of its law")]);
 }

@@ -292,7 +292,7 @@ fn given_states_are_refused_by_name_and_taken_as_they_are() {
     let told = |times: &[f64], q: &[Vec<f64>]| {
         Motion::from_states(&system, times, q, &qd, &qdd).unwrap_err().to_string()
     };
-    assert!(told(run.times(), &q[..4]).contains("q of a motion needs 5 values, but has 4"));
+    assert!(told(run.times(), &q[..4]).contains("q of a motion has 4 values, but Kin needs 5"));
     assert!(told(&[0.0, 1.0, 0.5, 2.0, 3.0], &q).contains("must only increase"));
     let mut bad = q.clone();
     bad[2][1] = f64::NAN;

@@ -103,7 +103,10 @@ fn rules_of_sharing_without_redundant_equations() {
         .forces(&motion)
         .map(drop);
     let told = told.expect_err("nothing is redundant").to_string();
-    assert!(told.contains("1 equations are left out, but 0 are redundant"), "{told}");
+    assert!(
+        told.contains("the rule leaves out 1 equations, but 0 equations are redundant"),
+        "{told}"
+    );
 }
 
 /// A door on three hinges: what they hold together along its axis is its weight, and a rule shares
@@ -226,7 +229,10 @@ fn bodies_of_a_joint_are_told_without_its_bare_coordinates() {
     let push = teeth.on(rack).expect("its body").component("F_x").expect("unique");
     assert!(push.values().iter().all(|f| (f - 7.6).abs() < 1e-12));
     let told = teeth.on(other).map(drop).expect_err("not its body").to_string();
-    assert_eq!(told, "`teeth` (reaction): it does not act on `other`; it acts on rack");
+    assert_eq!(
+        told,
+        "`teeth` (reaction): the constraint does not act on `other`. Choose a body on which the constraint acts: rack"
+    );
     let ground = teeth.on(PlanarBody::from(ground)).expect("the ground").force().expect("unique");
     assert!(ground.iter().all(|f| (*f - vec2(-7.6, 0.0)).norm() < 1e-12));
     assert!((forces.drive("motor").expect("a driver").effort().values()[1] - 1.72).abs() < 1e-12);
@@ -236,10 +242,16 @@ fn bodies_of_a_joint_are_told_without_its_bare_coordinates() {
     let slowed = brake.on(rack).expect("its body").force().expect("unique");
     assert!(slowed.iter().all(|f| (*f - vec2(-0.6, 0.0)).norm() < 1e-12));
     let told = brake.on(other).map(drop).expect_err("not its body").to_string();
-    assert_eq!(told, "`brake` (reaction): it does not act on `other`; it acts on rack");
+    assert_eq!(
+        told,
+        "`brake` (reaction): the constraint does not act on `other`. Choose a body on which the constraint acts: rack"
+    );
     let clutch = forces.load("clutch").expect("a load");
     let told = clutch.on(rack).map(drop).expect_err("not its body").to_string();
-    assert_eq!(told, "`clutch` (reaction): it does not act on `rack`; it acts on no body");
+    assert_eq!(
+        told,
+        "`clutch` (reaction): the constraint does not act on `rack`. The constraint acts on no body"
+    );
     // The first of its bodies is the rack.
     let sizes = forces.magnitudes();
     assert!(sizes.iter().any(|one| one.name() == "teeth on rack.force"), "{sizes:?}");

@@ -223,7 +223,7 @@ fn what_is_demanded_is_said_with_its_numbers() {
         demanding(s(), vec3(0.0, 0.0, 0.0), 2.0)
             .refusal()
             .expect("no direction")
-            .starts_with("axis: this axis has no direction")
+            .starts_with("axis: the axis has no direction")
     );
 }
 

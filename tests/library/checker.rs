@@ -58,7 +58,7 @@ fn a_slip_is_shown_as_a_table_with_names() {
     let lines: Vec<&str> = text.lines().collect();
     assert!(
         lines[0].starts_with(
-            "the derivatives of `pin_height` by its hand-written route, dual numbers and central differences differ at state 1 of 24, seed 0x"
+            "the derivatives of `pin_height` by the hand-written route, by dual numbers and by central differences differ at state 1 of 24, seed 0x"
         )
     );
     assert!(

@@ -343,7 +343,7 @@ fn tables_are_read_from_files() {
     assert_eq!(law.jet(0.7), Law::spline(&wave(), Ends::Periodic).jet(0.7));
     for (text, said) in [
         ("0,1\n1,x\n", "line 2: `1,x` is not two numbers"),
-        ("x,y\n0,1\n1,2\n1,3\n", "does not increase: x = 1 is followed by 1"),
+        ("x,y\n0,1\n1,2\n1,3\n", "x must increase, but x = 1 is followed by 1"),
         ("0,1\n1\n", "line 2"),
         ("", "0 points"),
         ("0,1\n1,nan\n2,3\n", "finite"),
@@ -368,13 +368,16 @@ fn what_makes_no_sense_is_refused_in_words() {
         (Law::cycloidal(1.0, 0.0), "length of a rise"),
         (Law::trapezoidal(1.0, -1.0, 1.0), "above zero"),
         (Law::s_curve(1.0, 1.0, 1.0, 0.0), "above zero"),
-        (Law::spline(&[(0.0, 1.0)], Ends::Natural), "1 points; it needs 2"),
-        (Law::spline(&[(0.0, 1.0), (0.0, 2.0)], Ends::Natural), "does not increase"),
-        (Law::spline(&[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], Ends::Periodic), "ends as it begins"),
-        (Law::sequence(0.0, Vec::<(f64, Law)>::new()), "no part"),
+        (Law::spline(&[(0.0, 1.0)], Ends::Natural), "1 points. Give at least 2"),
+        (Law::spline(&[(0.0, 1.0), (0.0, 2.0)], Ends::Natural), "must increase"),
+        (
+            Law::spline(&[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], Ends::Periodic),
+            "first and the last y of a periodic table must be equal",
+        ),
+        (Law::sequence(0.0, Vec::<(f64, Law)>::new()), "the list of parts is empty"),
         (
             Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::constant(2.0))]),
-            "parts 1 and 2 of the sequence do not meet: the first ends at 1",
+            "parts 1 and 2 of the sequence do not meet: part 1 ends at 1",
         ),
         (
             Law::sequence(0.0, [(1.0, Law::cycloidal(1.0, -1.0))]),
@@ -383,7 +386,10 @@ fn what_makes_no_sense_is_refused_in_words() {
         (Law::sequence(0.0, [(0.0, Law::ramp(1.0))]), "the length 0"),
         (Law::ramp(1.0).periodic(2.0), "does not repeat after 2"),
         (Law::constant(1.0).periodic(-1.0), "period must be above zero"),
-        (2.0 * Law::ramp(1.0).compose(&Law::sequence(0.0, Vec::<(f64, Law)>::new())), "no part"),
+        (
+            2.0 * Law::ramp(1.0).compose(&Law::sequence(0.0, Vec::<(f64, Law)>::new())),
+            "the list of parts is empty",
+        ),
         (bump(1.0, 0.0), "a bump needs a width (width = 0)"),
     ] {
         let found = law.refusal().unwrap_or_else(|| panic!("{law:?} is not refused"));

@@ -273,7 +273,7 @@ fn more_than_two_coordinates_are_coupled() {
     let error = m.add("it", linear_coupling([a, b], [0.0, 0.0], 1.0)).unwrap_err();
     assert!(
         matches!(error, Error::InvalidParameters { .. })
-            && error.to_string().contains("factors of zero couple nothing"),
+            && error.to_string().contains("at least one factor must differ from zero"),
         "{error}"
     );
 }

@@ -24,7 +24,7 @@ fn bad_parameters_of_planar_joints() {
     let cases = [
         (
             refusal(&mut m, distance(a, b, o, o, -1.0)),
-            "`it` (distance): a rod needs a length above zero; pins that coincide are `revolute` (length = -1)",
+            "`it` (distance): the length of the rod must be above zero; for pins at the same point use `revolute` (length = -1)",
         ),
         (
             refusal(&mut m, distance(a, b, o, o, f64::NAN)),
@@ -32,36 +32,51 @@ fn bad_parameters_of_planar_joints() {
         ),
         (
             refusal(&mut m, prismatic(a, b, o, o, o, 0.0)),
-            "`it` (prismatic): the direction across the slide needs a length above zero (h_i.x = 0, h_i.y = 0)",
+            "`it` (prismatic): the direction across the slide must not be zero (h_i.x = 0, h_i.y = 0)",
         ),
-        (refusal(&mut m, pin_in_slot(a, b, o, x, x)), "the ends of the slot coincide"),
+        (
+            refusal(&mut m, pin_in_slot(a, b, o, x, x)),
+            "the ends of the slot must be different points",
+        ),
         (
             refusal(&mut m, point_on_circle(a, b, o, o, 0.0)),
-            "a circle needs a radius above zero (radius = 0)",
+            "the radius of the circle must be above zero (radius = 0)",
         ),
-        (refusal(&mut m, point_on_line(a, b, o, o, o)), "the line needs a direction"),
+        (
+            refusal(&mut m, point_on_line(a, b, o, o, o)),
+            "the direction of the line must not be zero",
+        ),
         (
             refusal(&mut m, gear(a, b, Ground, -1.0, 2.0, 0.0)),
-            "pitch radii are above zero (r_i = -1, r_j = 2)",
+            "the pitch radii must be above zero (r_i = -1, r_j = 2)",
         ),
-        (refusal(&mut m, internal_gear(a, b, Ground, 2.0, 1.0, 0.0)), "ring's pitch radius"),
-        (refusal(&mut m, belt(a, b, Ground, 0.0, 1.0, 0.0)), "a pulley needs a radius"),
-        (refusal(&mut m, rack_and_pinion(a, b, o, o, x, 0.0, 0.0)), "a pinion needs a radius"),
-        (refusal(&mut m, rolling(a, b, o, o, o, 1.0, 0.0)), "the track needs a direction"),
+        (refusal(&mut m, internal_gear(a, b, Ground, 2.0, 1.0, 0.0)), "pitch radius of the ring"),
+        (
+            refusal(&mut m, belt(a, b, Ground, 0.0, 1.0, 0.0)),
+            "the radius of a pulley must not be zero",
+        ),
+        (
+            refusal(&mut m, rack_and_pinion(a, b, o, o, x, 0.0, 0.0)),
+            "the radius of the pinion must not be zero",
+        ),
+        (
+            refusal(&mut m, rolling(a, b, o, o, o, 1.0, 0.0)),
+            "the direction of the track must not be zero",
+        ),
         (
             refusal(&mut m, coupling(a.theta(), b.theta(), 0.0, 1.0, 0.0)),
-            "a factor of zero couples nothing",
+            "the factors must not be zero",
         ),
-        (refusal(&mut m, parallel(a, b, o, x)), "a direction needs a length"),
-        (refusal(&mut m, cam_knife_edge(a, b, o, Law::ramp(0.1))), "it has to repeat after 2π"),
+        (refusal(&mut m, parallel(a, b, o, x)), "the directions must not be zero"),
+        (refusal(&mut m, cam_knife_edge(a, b, o, Law::ramp(0.1))), "must repeat after 2π"),
         (
             refusal(&mut m, cam_flat_face(a, b, o, x, Law::sine(0.1, 0.5, 0.0))),
-            "it has to repeat after 2π",
+            "must repeat after 2π",
         ),
         (refusal(&mut m, cam_flat_face(a, b, o, o, zero)), "the normal of the face"),
         (
             refusal(&mut m, drive_slide(a, b, o, o, o, Law::ramp(1.0))),
-            "the slide needs a direction",
+            "the direction of the slide must not be zero",
         ),
         (
             refusal(&mut m, drive_angle(a, Law::trapezoidal(1.0, 0.0, 1.0))),
@@ -111,28 +126,37 @@ fn bad_parameters_of_spatial_joints() {
         ),
         (
             refusal(&mut m, spatial::revolute(a, b, o, o, z, o)),
-            "`it` (revolute): the axis in body j needs a length above zero (h_j.x = 0, h_j.y = 0, h_j.z = 0)",
+            "`it` (revolute): the axis in body j must not be zero (h_j.x = 0, h_j.y = 0, h_j.z = 0)",
         ),
         (
             refusal(&mut m, spatial::revolute(a, b, o, o, Axis::new(z, z), z)),
-            "h_i: this axis has no direction",
+            "h_i: the axis has no direction",
         ),
-        (refusal(&mut m, spatial::weld(a, b, o, o, none)), "Euler parameters are not all zero"),
+        (
+            refusal(&mut m, spatial::weld(a, b, o, o, none)),
+            "at least one Euler parameter must differ from zero",
+        ),
         (
             refusal(&mut m, spatial::universal(a, b, o, o, o, z)),
-            "a bar of the cross needs a length",
+            "the bars of the cross must not be zero",
         ),
-        (refusal(&mut m, spatial::angle(a, b, z, z, 0.0)), "between 0 and π"),
-        (refusal(&mut m, spatial::screw(a, b, o, o, z, z, 0.0)), "a screw needs a lead"),
+        (refusal(&mut m, spatial::angle(a, b, z, z, 0.0)), "above 0 and below π"),
+        (
+            refusal(&mut m, spatial::screw(a, b, o, o, z, z, 0.0)),
+            "the lead of the screw must not be zero",
+        ),
         (
             refusal(&mut m, spatial::gear(a, b, Ground, z, z, z, z, 12.5, 20.0, 0.0)),
-            "numbers of teeth are whole numbers",
+            "the numbers of teeth must be whole numbers",
         ),
         (
             refusal(&mut m, spatial::revolute_spherical(a, b, o, o, z, 0.0)),
-            "a link needs a length above zero",
+            "the length of the link must be above zero",
         ),
-        (refusal(&mut m, spatial::point_in_plane(a, b, o, o, o)), "the plane needs a normal"),
+        (
+            refusal(&mut m, spatial::point_in_plane(a, b, o, o, o)),
+            "the normal of the plane must not be zero",
+        ),
     ];
     for (found, said) in cases {
         assert!(found.contains(said), "{found}\n  should say: {said}");
@@ -182,7 +206,7 @@ fn an_axis_the_wrong_way_round_is_told() {
     assert!(matches!(error, Error::WrongBranch { .. }), "{text}");
     assert!(
         text.contains(
-            "`hinge` (revolute) closes the wrong way at t = 0 s: its axes are opposite: h_i · h_j < 0."
+            "`hinge` (revolute) is assembled the wrong way round at t = 0 s: the axes point in opposite directions: h_i · h_j < 0."
         ),
         "{text}"
     );

@@ -83,14 +83,14 @@ fn speeds_in_degrees_are_asked_about() {
     );
     assert_eq!(
         found.text,
-        "`motor` turns `crank` at 360 rad/s (57 turns/s): its law is `Law::ramp(360.0)`. Angles are \
-         in radians; did you mean `Law::ramp(TAU)`?"
+        "`motor` turns `crank` at 360 rad/s (57 turns/s): the law of the driver is `Law::ramp(360.0)`. Angles are \
+         in radians; if degrees are meant, give `Law::ramp(TAU)`."
     );
     let found = only(four_bar(Law::linear(0.0, -90.0)));
     assert_eq!(
         found.text,
         "`motor` turns `crank` at -90 rad/s (14 turns/s): `motor.law.rate` is -90. Angles are in \
-         radians; did you mean `deg(-90.0)`?"
+         radians; if degrees are meant, give `deg(-90.0)`."
     );
     for law in [Law::ramp(180.0), -Law::ramp(720.0), Law::constant(1.0) + Law::ramp(45.0)] {
         for m in [driven_crank(law.clone()), shaft(law)] {
@@ -171,8 +171,8 @@ fn guesses_preferences_limits_and_joints_in_degrees_are_asked_about() {
     let found = only(m);
     assert_eq!(
         found.text,
-        "The guess of `plate.theta` is 90 rad (14 turns). Angles are in radians; did you mean \
-         `deg(90.0)`?"
+        "The guess of `plate.theta` is 90 rad (14 turns). Angles are in radians; if degrees are meant, give \
+         `deg(90.0)`."
     );
     let mut m = four_bar(Law::ramp(TAU));
     m.limit("C.angle", deg(30.0), 150.0).unwrap();

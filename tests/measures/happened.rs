@@ -44,9 +44,9 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
         }
         if scale == 1.0 {
             let texts: Vec<&str> = events.iter().map(|event| event.text.as_str()).collect();
-            assert_eq!(texts[0], "`slot.slide` passes its upper limit, 0.3 m");
-            assert_eq!(texts[1], "`slot.slide` returns from beyond its upper limit, 0.3 m");
-            assert_eq!(texts[2], "`slot.slide` passes its lower limit, 0 m");
+            assert_eq!(texts[0], "`slot.slide` passes the upper limit, 0.3 m");
+            assert_eq!(texts[1], "`slot.slide` returns from beyond the upper limit, 0.3 m");
+            assert_eq!(texts[2], "`slot.slide` passes the lower limit, 0 m");
             let text = serde_json::to_string(&motion.data()).unwrap();
             assert_eq!(
                 Motion::from_data(&serde_json::from_str(&text).unwrap()).unwrap().events(),
@@ -108,19 +108,19 @@ fn limits_can_be_asked_for_by_name() {
     let motion = short_slot(1.0).build().unwrap().run_both(linspace(1.0, 1.1, 3)).unwrap();
     assert_eq!(
         motion.events()[0].to_string(),
-        "t = 1 s: `slot.slide` starts at 0.352441295 m, beyond its upper limit, 0.3 m"
+        "t = 1 s: `slot.slide` starts at 0.352441295 m, beyond the upper limit, 0.3 m"
     );
     let mut m = short_slot(1.0);
     let error = m.limit("slot.slide", 1.0, 0.0).unwrap_err().to_string();
     assert_eq!(
         error,
-        "`slot.slide` (limit): its limits are 1 and 0. Give a lower and a higher limit"
+        "`slot.slide` (limit): the limits are 1 and 0. Give the lower limit first and the higher limit second"
     );
     m.limit("slot.turn", 0.0, 1.0).unwrap();
     let error = m.build().unwrap_err().to_string();
     assert_eq!(
         error,
-        "`slot` (pin_in_slot): there is no `slot.turn`. This joint has `slot.slide` and `slot.angle`"
+        "`slot` (pin_in_slot): `slot.turn` does not exist. This joint has the measures `slot.slide` and `slot.angle`"
     );
 }
 
@@ -184,7 +184,7 @@ fn one_pose_at_one_time() {
             .at(&other, 0.5)
             .unwrap_err()
             .to_string()
-            .contains("a motion of \"pin in a slot\", not of \"four-bar\"")
+            .contains("the motion of \"pin in a slot\", which does not belong to \"four-bar\",")
     );
 }
 
@@ -224,15 +224,21 @@ fn what_cannot_be_asked_is_told_by_name() {
     let FourBar { system, .. } = crank_rocker();
     let motion = system.run_both([0.0, 0.1]).unwrap();
     let said = |name: &str| system.measure(&motion, name).unwrap_err().to_string();
-    assert_eq!(said("A.slide"), "`A` (revolute): there is no `A.slide`. This joint has `A.angle`");
-    assert_eq!(said("A"), "`A` (revolute): there is no `A`. This joint has `A.angle`");
+    assert_eq!(
+        said("A.slide"),
+        "`A` (revolute): `A.slide` does not exist. This joint has the measures `A.angle`"
+    );
+    assert_eq!(
+        said("A"),
+        "`A` (revolute): `A` does not exist. This joint has the measures `A.angle`"
+    );
     assert_eq!(
         said("motor.angle"),
-        "`motor` (drive_angle): there is no `motor.angle`: this joint has no measure. Use a point, an angle between bodies or a coordinate instead"
+        "`motor` (drive_angle): `motor.angle` does not exist, because this joint has no measure. Use a point, an angle between bodies or a coordinate instead"
     );
     assert!(
         said("D.angle").starts_with(
-            "there is no measure or coordinate `D.angle`. Use one of `O.angle`, `A.angle`"
+            "there is no measure or coordinate `D.angle`. Use one of the names `O.angle`, `A.angle`"
         ),
         "{}",
         said("D.angle")

@@ -32,7 +32,7 @@ fn an_exact_drawn_pose_that_is_singular_is_not_left_in_silence() {
         "`rod` turns about",
         "satisfies every equation",
         "Let `lift` begin at another value",
-        "prefer it",
+        "prefer the assembly",
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }

@@ -114,7 +114,7 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
     let motion = by_auto(&system, 2001);
     let reason = motion.why_not_compiled().expect("a reason");
     assert!(
-        reason.contains("`motor` cannot be compiled") && reason.contains("dual route"),
+        reason.contains("Kin cannot compile `motor`") && reason.contains("dual route"),
         "{reason}"
     );
     assert!(
@@ -132,10 +132,10 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
 fn options_that_a_program_does_not_know_are_those_of_plain_steps() {
     let system = driven();
     let all = [
-        (auto().predict(false), "compiled runs always predict"),
+        (auto().predict(false), "compiled runs always predict the next position"),
         (
             auto().stop(Stop::ResidualOnly(1e-10)),
-            "only the step-by-step solver has a stop rule by the residual alone",
+            "only the step-by-step solver can stop by the residual alone",
         ),
     ];
     for (options, reason) in all {
@@ -211,7 +211,7 @@ fn runs_in_parts_are_plain_unless_a_program_is_asked_for() {
         .options(compiled())
         .run_in_parts([0.0, 0.1], 1, |_| Ok(()))
         .expect_err("refused");
-    assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
+    assert!(error.to_string().contains("Kin cannot compile `motor`"), "{error}");
 }
 
 /// Cases of a sweep are computed by the engine that is asked for.
@@ -236,10 +236,10 @@ fn sweeps_heed_the_engine() {
     let refused = four_bar(|crank| Box::new(by_dual(drive_angle(crank, Law::ramp(TAU)))));
     let sweep = refused.sweep(["coupler.theta"]).expect("a sweep").options(compiled());
     let error = sweep.run(&[[0.6]], &times, |_, _| ()).expect_err("refused");
-    assert!(error.to_string().contains("`motor` cannot be compiled"), "{error}");
+    assert!(error.to_string().contains("Kin cannot compile `motor`"), "{error}");
     let sweep = refused.sweep(["coupler.theta"]).expect("a sweep");
     let found = sweep.run(&[[0.6]], &times, |_, motion| motion.expect("runs")).expect("runs");
     assert!(
-        found[0].why_not_compiled().is_some_and(|why| why.contains("`motor` cannot be compiled"))
+        found[0].why_not_compiled().is_some_and(|why| why.contains("Kin cannot compile `motor`"))
     );
 }

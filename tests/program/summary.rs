@@ -19,7 +19,7 @@ fn of_a_four_bar_two_angles_are_left() {
     );
     let text = compiled.to_string();
     assert!(
-        text.starts_with("four-bar: 7 of 9 coordinates have an explicit equation, Newton's method solves 2 in blocks of 2: coupler.theta"),
+        text.starts_with("four-bar: 7 of 9 coordinates have an explicit equation, Newton's method solves 2 coordinates in blocks of 2: coupler.theta"),
         "{text}"
     );
 }

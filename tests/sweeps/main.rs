@@ -146,7 +146,7 @@ fn mistakes_are_told_by_name_before_anything_is_computed() {
     let error = run(&[good.clone(), vec![0.5, f64::NAN]], &[0.0]).to_string();
     assert!(error.contains("case 1") && error.contains("`rocker.theta` is NaN"), "{error}");
     let error = run(&[good.clone(), vec![0.5]], &[0.0]).to_string();
-    assert!(error.contains("case 1") && error.contains("needs 2 values"), "{error}");
+    assert!(error.contains("case 1") && error.contains("Kin needs 2"), "{error}");
     assert!(matches!(run(std::slice::from_ref(&good), &[0.0, 0.0]), Error::InvalidTimes { .. }));
     let sweep = system
         .sweep(NAMES)
@@ -330,7 +330,7 @@ fn lanes_that_are_not_there_are_told() {
 }
 
 #[constraint]
-#[require(l > 0.0, "a rod needs a length above zero")]
+#[require(l > 0.0, "the length of the rod must be above zero")]
 fn rod(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, l: f64) -> f64 {
     let d = i.point(u_i) - j.point(u_j);
     d.dot(d) - l * l

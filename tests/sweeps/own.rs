@@ -165,7 +165,7 @@ fn memory_of_a_sweep_is_that_of_all_motions_under_way() {
     let text = run(Lanes::Off, 2, one).unwrap_err().to_string();
     assert!(
         text.contains(
-            "2 motions at once of 61 times of 9 coordinates need 29.3 kB, but `SolverOptions::memory` allows 14.6 kB"
+            "2 simultaneous motions of 61 times of 9 coordinates need 29.3 kB, but `SolverOptions::memory` allows 14.6 kB"
         ),
         "{text}"
     );

@@ -79,7 +79,7 @@ fn what_cannot_follow_a_dimension_is_told() -> kin::Result<()> {
     let foreign = making.with("h", (1.0, 0.0, 0.0)).with("c", [foreign, foreign]).constraint()?;
     assert!(
         m.add("foreign", foreign)
-            .is_err_and(|error| error.to_string().contains("of another mechanism"))
+            .is_err_and(|error| error.to_string().contains("does not belong to"))
     );
     Ok(())
 }

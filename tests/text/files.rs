@@ -409,12 +409,18 @@ fn parameters_that_do_not_fit_are_told_by_name() {
     let slot = marked();
     let on = || slot.on(slider).on(Ground);
     let cases = [
-        (slot.on(slider), "it takes 2 bodies and coordinates, not 1"),
-        (slot.on(slider.x()).on(Ground), "its argument `i` is a planar body"),
+        (slot.on(slider), "the constraint takes 2 bodies and coordinates, not 1"),
+        (slot.on(slider.x()).on(Ground), "the argument `i` must be a planar body"),
         (on().with("k", 2.0), "its parameter `u_i` is missing: `.with(\"u_i\", …)`"),
-        (on().with("k", 2.0).with("u_i", 1.0), "its parameter `u_i` has 2 numbers, not 1"),
-        (on().with("k", Law::constant(1.0)).with("u_i", [0.0, 0.0]), "its parameter `k` is no law"),
-        (on().with("k", 2.0).with("u_i", [0.0, 0.0]).with("kk", 1.0), "it has no parameter `kk`"),
+        (on().with("k", 2.0).with("u_i", 1.0), "the parameter `u_i` takes 2 numbers, not 1"),
+        (
+            on().with("k", Law::constant(1.0)).with("u_i", [0.0, 0.0]),
+            "the parameter `k` takes no law",
+        ),
+        (
+            on().with("k", 2.0).with("u_i", [0.0, 0.0]).with("kk", 1.0),
+            "the constraint has no parameter `kk`",
+        ),
     ];
     for (making, wanted) in cases {
         let error = making.constraint().err().map(|error| error.to_string()).unwrap_or_default();

@@ -227,8 +227,8 @@ fn slips_are_told_at_their_place() {
         ("fn f(x: f64) -> f64 { x.sine() }", "text:1:25"),
         ("fn f(x: f64) -> f64 { y }", "text:1:23"),
         ("fn f(i: Planar) -> f64 { i.x() }", "a law is a function of numbers"),
-        ("fn f() -> f64 { 1.0 }", "a law needs its variable"),
-        ("fn f(x: f64) -> Vec2 { Vec2::new(x, x) }", "a law returns its value"),
+        ("fn f() -> f64 { 1.0 }", "a law needs the variable"),
+        ("fn f(x: f64) -> Vec2 { Vec2::new(x, x) }", "a law must return a number"),
         ("fn f(x: f64) -> f64 { hidden(x) }", "not known here"),
         ("fn f(x: f64) -> f64 { if x > 0.0 { f(x - 1.0) } else { x } }", "text:1"),
         ("lift", "text:1:1"),
@@ -238,7 +238,7 @@ fn slips_are_told_at_their_place() {
     let made = |numbers: &[(&str, f64)]| {
         LawText::read(&text()).unwrap().law(numbers).map(|law| law.refusal())
     };
-    assert!(made(&NUMBERS[1..]).is_err_and(|why| why.contains("lacks its number `h`")));
+    assert!(made(&NUMBERS[1..]).is_err_and(|why| why.contains("the number `h` of the law")));
     let more = [&NUMBERS[..], &[("width", 1.0)]].concat();
     assert!(made(&more).is_err_and(|why| why.contains("no number `width`")));
     let wrong = [NUMBERS[0], ("beta", -1.0), NUMBERS[2], NUMBERS[3]];

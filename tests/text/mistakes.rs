@@ -54,12 +54,14 @@ fn mistakes_are_told_as_the_macro_tells_them() {
         compared += 1;
         let found = told(&text);
         // A text has one route: what only dual numbers could take is a mistake at the same place.
-        let is_told =
-            |wanted: &String| match wanted.split_once(" cannot be read by the compiler, so ") {
-                Some((told, _)) => found.contains(&format!("{told} cannot be read from a text")),
-                None => found.contains(wanted),
-            };
-        let of_type = found.iter().any(|found| found.contains("in a text a parameter is an `f64`"));
+        let is_told = |wanted: &String| match wanted.split_once("but Kin cannot read ") {
+            Some((_, told)) => {
+                let told = told.split(". Rewrite").next().unwrap_or_default();
+                found.contains(&format!("Kin cannot read {told} in a text"))
+            }
+            None => found.contains(wanted),
+        };
+        let of_type = found.iter().any(|found| found.contains("write a parameter as an `f64`"));
         let is_of_program =
             PROGRAMS.iter().any(|name| path.file_stem().is_some_and(|stem| stem == *name));
         if is_of_program != of_type || !is_of_program && !wanted.iter().all(is_told) {
@@ -153,7 +155,7 @@ fn mutated_texts_are_read_or_refused_at_a_place() {
         if let Err(mistakes) = &read {
             assert!(!mistakes.0.is_empty(), "{text}");
             for one in &mistakes.0 {
-                assert!(one.message != "this text cannot be read", "a panic:\n{text}");
+                assert!(one.message != "Kin cannot read the text", "a panic:\n{text}");
                 let shown = one.to_string();
                 assert!(!shown.chars().any(|c| c.is_control() && c != '\n'), "{shown:?}");
                 assert!(
@@ -184,7 +186,7 @@ fn texts_that_are_too_much_are_refused() {
     {
         let start = std::time::Instant::now();
         let told = told(text);
-        assert!(!told.is_empty() && !told[0].contains("this text cannot be read"), "{told:?}");
+        assert!(!told.is_empty() && !told[0].contains("Kin cannot read the text"), "{told:?}");
         assert!(start.elapsed().as_secs() < 10, "{told:?} after {:?}", start.elapsed());
     }
 }

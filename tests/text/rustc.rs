@@ -40,7 +40,7 @@ const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
         "let_else_that_goes_on",
         "fn stop(x: Coord) -> f64 {\n    let Some(y) = (x > 0.0).then(|| 2.0 * x) else { 0.0; };\n    x - y\n}",
         "2:51",
-        "after `else` the function needs a way out: `return`, `break`, `continue` or `panic!`",
+        "the block after `else` must leave the function: `return`, `break`, `continue` or `panic!`",
     ),
     (
         "map_or_without_its_function",
@@ -58,19 +58,19 @@ const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
         "unknown_variant_in_a_pattern",
         "fn follower(x: Coord) -> f64 {\n    enum Profile { Flat, Round(f64) }\n    let p = if x > 0.0 { Profile::Flat } else { Profile::Round(1.0) };\n    match p { Profile::Flat => x, Profile::Rond(r) => x - r }\n}",
         "4:44",
-        "`Profile` has no variant `Rond`: its variants are `Flat`, `Round`",
+        "`Profile` has no variant `Rond`: the variants are `Flat`, `Round`",
     ),
     (
         "vector_from_a_field_of_three_numbers",
         "fn mounted(i: Planar) -> Vec2 {\n    struct Mount { at: [f64; 3] }\n    let mount = Mount { at: [0.0; 3] };\n    i.r - Vec2::from(mount.at)\n}",
         "4:22",
-        "expected Vec2, but this is an array of 3",
+        "expected Vec2, but found an array of 3",
     ),
     (
         "bits_of_a_coordinate_beside_a_while",
         "fn truncated(a: Coord, k: f64) -> f64 {\n    k - f64::from_bits(f64::to_bits(a))\n}",
         "2:37",
-        "`to_bits` has no derivative, and this depends on coordinates or time",
+        "`to_bits` has no derivative, but the value depends on coordinates or time",
     ),
     (
         "helper_called_with_too_many_arguments_beside_a_while",
@@ -82,7 +82,7 @@ const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
         "text_constant_beside_a_while",
         "const NAME: &str = \"slot\";\nfn series(x: Coord) -> f64 {\n    x - NAME\n}",
         "3:9",
-        "`NAME` is a constant of type `&str`: write a number in its place",
+        "`NAME` is a constant of type `&str`: write a number in place of `@@`",
     ),
 ];
 
@@ -206,16 +206,16 @@ fn other_mistakes_of_which_rustc_speaks_are_told_too() {
         (
             "match x { 0.0 => x, 1.0 => k }",
             39,
-            "this `match` may have no matching arm: end it with `_ => …`",
+            "this `match` may have no matching arm: add the arm `_ => …`",
         ),
-        ("let v = vec2(x, k); v.x += 1.0; v.x - v.y", 53, "declare it `mut v`"),
-        ("let all = [x, k]; all[0] = 1.0; all[0] - all[1]", 51, "declare it `mut all`"),
-        ("let v = vec2(x, k); let w = &mut v; w.x += 1.0; v.x - v.y", 66, "declare it `mut v`"),
-        ("k = 2.0; x - k", 33, "declare it `mut k`"),
-        ("let y; y = x; y = k; y - 1.0", 47, "declare it `mut y`"),
-        ("let y: f64; y - x", 45, "this variable has no value yet"),
-        ("let all = [x, k].into_iter(); all.next().unwrap_or(0.0) - k", 63, "declare it `mut all`"),
-        ("assert!(x); x - k", 33, "this must be a condition (bool)"),
+        ("let v = vec2(x, k); v.x += 1.0; v.x - v.y", 53, "declare `mut v`"),
+        ("let all = [x, k]; all[0] = 1.0; all[0] - all[1]", 51, "declare `mut all`"),
+        ("let v = vec2(x, k); let w = &mut v; w.x += 1.0; v.x - v.y", 66, "declare `mut v`"),
+        ("k = 2.0; x - k", 33, "declare `mut k`"),
+        ("let y; y = x; y = k; y - 1.0", 47, "declare `mut y`"),
+        ("let y: f64; y - x", 45, "the variable has no value yet"),
+        ("let all = [x, k].into_iter(); all.next().unwrap_or(0.0) - k", 63, "declare `mut all`"),
+        ("assert!(x); x - k", 33, "expected a condition (bool)"),
         ("for _ in 0..3 { break 'out; } x - k", 55, "known labels: none"),
     ] {
         let text = format!("fn f(x: Coord, k: f64) -> f64 {{ {body} }}");

@@ -165,7 +165,7 @@ fn of_files() -> Vec<Line> {
         ("EmptyName", 1, "a body", run("nameless", &nameless, "0")),
         ("InvalidLength", 1, "above zero", run("lengthless", &lengthless, "0")),
         ("RepeatedBody", 1, "`crank`", run("same", &same, "0")),
-        ("NoCoordinates", 1, "holds no coordinate", run("nothing", &nothing, "0")),
+        ("NoCoordinates", 1, "depends on no coordinate", run("nothing", &nothing, "0")),
         ("Dimension", 1, "`reach`", run("unused", &unused, "0")),
         (
             "Data",
@@ -206,18 +206,18 @@ fn of_motions() -> Vec<Line> {
             "no position exists beyond the toggle",
             asked(&["run", m, "--times", "0:1:101", "--set", "C.u_i.x=6"]),
         ),
-        ("CannotFollow", 3, "give closer times", asked(&["run", m, "--times", "0,1e9"])),
-        ("WrongBranch", 1, "closes the wrong way", run("door", &door(), "0:1:3")),
+        ("CannotFollow", 3, "Give closer times", asked(&["run", m, "--times", "0,1e9"])),
+        ("WrongBranch", 1, "is assembled the wrong way round", run("door", &door(), "0:1:3")),
         (
             "LawJumps",
             3,
-            "its slope changes suddenly",
+            "the slope of the law changes suddenly",
             run("corner", &driven(&corner), "0.1:1.9:10"),
         ),
         (
             "CannotBeProved",
             4,
-            "cannot be proved",
+            "Kin cannot prove",
             asked(&[
                 "prove",
                 &file("class_proof.json", &pinned_twice().to_string()),

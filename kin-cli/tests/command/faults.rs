@@ -89,7 +89,7 @@ fn what_is_not_proved_has_its_own_code() {
         4,
         "26 of 30 steps proved",
     );
-    let told = "cannot be proved";
+    let told = "Kin cannot prove";
     let mut data = four_bar();
     let mut again = data["constraints"][0].clone();
     again["name"] = json!("O again");

@@ -20,7 +20,7 @@ fn crank(rate: f64) -> String {
 }
 
 const SENTENCE: &str = "`motor` turns `crank` at 360 rad/s (57 turns/s): `motor.law.rate` is 360. Angles are in \
-                        radians; did you mean 6.283185307179586 (360°)?";
+                        radians; if degrees are meant, give 6.283185307179586 (360°).";
 
 #[test]
 fn degrees_are_asked_about_in_words_of_the_file() {

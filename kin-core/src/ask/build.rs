@@ -114,7 +114,7 @@ fn act_along_what_there_is(system: &System) -> Result<()> {
         });
         if let Some(name) = unknown {
             let kind = "load".to_string();
-            let reason = format!("it acts along `{name}`: {}", system.no_measure(name));
+            let reason = format!("the load acts along `{name}`: {}", system.no_measure(name));
             return Err(Error::InvalidParameters { constraint: load.clone(), kind, reason });
         }
     }

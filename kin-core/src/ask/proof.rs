@@ -229,11 +229,11 @@ impl System {
         let m = self.n_equations();
         let reason = if m != n {
             format!(
-                "it has {m} equations for {n} coordinates, and numbers cannot prove that superfluous equations hold exactly. Remove the superfluous equations, which `diagnose` names"
+                "the mechanism has {m} equations for {n} coordinates, and Kin cannot prove that superfluous equations hold exactly. Remove the superfluous equations, which `diagnose` names"
             )
         } else if n > LARGEST {
             format!(
-                "it has {n} coordinates, but Kin proves motions of at most {LARGEST} coordinates"
+                "the mechanism has {n} coordinates, but Kin proves motions of at most {LARGEST} coordinates"
             )
         } else {
             return Ok(());
@@ -359,7 +359,9 @@ mod tests {
         assert!(prove(lengths(110)).unwrap().is_complete());
         let error = prove(lengths(401)).unwrap_err().to_string();
         assert!(
-            error.contains("it has 401 coordinates, but Kin proves motions of at most 400"),
+            error.contains(
+                "the mechanism has 401 coordinates, but Kin proves motions of at most 400"
+            ),
             "{error}"
         );
     }

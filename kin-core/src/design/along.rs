@@ -60,12 +60,15 @@ impl<'a> Prepared<'a> {
                 let made = || Equation::of(table.formula(), own.len()).map(Rc::new);
                 kind.or_insert_with(made).clone()
             });
-            let unknown = Err("it takes the dual route or is written by hand");
+            let unknown = Err("the constraint takes the dual route or is written by hand");
             let equation = equation.unwrap_or(unknown).map_err(|reason| {
                 let by = names.first().map_or("", String::as_str);
                 NoDerivative::error(
                     by,
-                    format!("Kin knows no such derivative of `{}`: {reason}", block.name),
+                    format!(
+                        "Kin does not know the derivative of `{}` by this parameter: {reason}",
+                        block.name
+                    ),
                 )
             })?;
             blocks.push(equation);

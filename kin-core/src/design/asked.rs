@@ -13,7 +13,7 @@ use crate::system::dimensions::Moved;
 use crate::system::evaluate::Block;
 
 /// The reason for refusing a parameter that no equation reads.
-const NOTHING: &str = "no equation depends on it";
+const NOTHING: &str = "no equation depends on the parameter";
 
 /// One parameter that an equation reads.
 pub(super) struct Asked {
@@ -48,7 +48,8 @@ impl Asked {
             let of = &system.equations().blocks[block];
             let parameter = format!("{}.{own}", of.name);
             if !slope.is_finite() {
-                let reason = format!("`{parameter}` has no finite derivative by it here");
+                let reason =
+                    format!("`{parameter}` has no finite derivative by `{name}` at these values");
                 return Err(NoDerivative::error(name, reason));
             }
             if let Some(hangs) = Hangs::on(of, &equations[block], (&own, &parameter))? {
@@ -71,7 +72,9 @@ impl Hangs {
             .formula(|table, _, _| table.formula().parameters.iter().position(|own| *own == known));
         Ok(match number.flatten() {
             Some(k) if equation.foreign.contains(&k) => {
-                return Err(no("it goes into a user-defined function that only rustc can read"));
+                return Err(no(
+                    "the parameter is an argument of a user-defined function that only rustc can read",
+                ));
             }
             Some(k) if !equation.reads(k) => None,
             Some(k) => Some(Hangs::Parameter(k)),
@@ -79,13 +82,15 @@ impl Hangs {
                 Some((number, law)) => {
                     let name = name.split_once('.').map_or(name, |(_, name)| name);
                     let by = law.by_parameter(name);
-                    let by = by.ok_or_else(|| no("Kin does not know how its law depends on it"))?;
+                    let by = by.ok_or_else(|| {
+                        no("Kin does not know how the law depends on the parameter")
+                    })?;
                     Some(Hangs::Law { number, by })
                 }
                 None if equation.is_read() => None,
                 None => {
                     return Err(no(
-                        "it may go into a user-defined function that only rustc can read",
+                        "the parameter may be an argument of a user-defined function that only rustc can read",
                     ));
                 }
             },

@@ -38,8 +38,8 @@ pub(super) struct Call {
 }
 
 /// Why an equation has no derivatives by parameters.
-const MOVING: &str = "a function that only rustc can read depends on something that moves";
-const EMPTY: &str = "Kin does not know its equation as a formula";
+const MOVING: &str = "a function that only rustc can read depends on a coordinate or on time";
+const EMPTY: &str = "Kin does not know the equation as a formula";
 
 impl Equation {
     /// Differentiates a formula with this number of columns.

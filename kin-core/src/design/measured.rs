@@ -88,8 +88,7 @@ impl Sensitivities<'_> {
             if t.is_finite() && second.abs() > f64::EPSILON * size {
                 return Ok(ExtremeSensitivity { name: by.name, t, value });
             }
-            let reason =
-                "the second rate is also zero at the extreme, so its time has no derivative";
+            let reason = "the acceleration is also zero at the extreme, so the time of the extreme has no derivative";
             Err(NoDerivative::error(&by.name, reason))
         };
         there.each(what)?.into_iter().map(found).collect()
@@ -157,7 +156,7 @@ fn along(partials: &[(usize, Partial)], by: &Sensitivity, times: usize) -> Measu
 pub(super) fn refuse_own(system: &System, what: &dyn Measure, by: &str) -> Result<()> {
     let Some(place) = what.name().and_then(|name| system.place_of(name)) else { return Ok(()) };
     if system.moving_with(by)?.iter().any(|moved| moved.block == place.block) {
-        let reason = "the measure belongs to the joint with this parameter and may depend on it directly. Use a coordinate or a point instead";
+        let reason = "the measure belongs to the joint with this parameter and may depend on the parameter directly. Use a coordinate or a point instead";
         return Err(NoDerivative::error(by, reason));
     }
     Ok(())

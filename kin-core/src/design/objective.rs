@@ -115,8 +115,9 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
             });
         }
         if !value.is_finite() || weights.iter().flatten().any(|x| !x.is_finite()) {
-            let reason =
-                format!("the cost of an objective is {value}, with weights that may not be finite");
+            let reason = format!(
+                "the cost of the objective is {value}, and its weights may not be finite. Return finite numbers"
+            );
             return Err(Error::InvalidOptions { reason });
         }
         Ok((value, weights))

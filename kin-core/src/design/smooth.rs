@@ -30,7 +30,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
         return Err(NoDerivative::error(
             by,
             format!(
-                "the motion passes a singular position at t = {t} {s}, beyond which another value may take another branch. Use a motion that ends before it"
+                "the motion passes a singular position at t = {t} {s}, beyond which another value may take another branch. Use a motion that ends before this position"
             ),
         ));
     }

@@ -179,7 +179,7 @@ impl<'a> SlopeSolver<'a> {
         }
         let equation = self.system.equations().equation(row);
         let reason = format!(
-            "the redundant mechanism closes at this value only: with another value `{equation}` contradicts the other equations. Change it together with the dimensions that must match it"
+            "the redundant mechanism closes at this value only: with another value `{equation}` contradicts the other equations. Change this dimension together with the dimensions that must match it"
         );
         Err(NoDerivative::error(name, reason))
     }

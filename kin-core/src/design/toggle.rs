@@ -75,7 +75,7 @@ impl System {
         let refused = |reason: String| Err(NoDerivative::error(by, reason));
         if toggle.kind != SingularKind::TurningPoint {
             return refused(format!(
-                "at t = {t} {s} there is a change point, whose branches cross at these values only. Request the time of a toggle instead"
+                "the position at t = {t} {s} is a change point, whose branches cross at these values only. Request the time of a toggle instead"
             ));
         }
         if self.is_redundant() {
@@ -103,7 +103,7 @@ impl System {
             could += (x / norm).abs();
         }
         if pushes.abs() <= PUSHES * could {
-            return refused(format!("at t = {t} {s} no driver pushes the parts that are singular"));
+            return refused(format!("at t = {t} {s} no driver moves the singular parts"));
         }
         let along = Prepared::new(self, &names)?.at(t, [q, &still, &still]);
         let of = |(by_p, name): (&Vec<(usize, [f64; 3])>, &String)| {

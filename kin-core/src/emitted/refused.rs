@@ -19,7 +19,7 @@ impl Refuses for Law {
 impl Refuses for Axis {
     fn refusal(&self) -> Option<String> {
         (!self.is_sound()).then(|| {
-            "this axis has no direction; give a vector that is not zero, and an f that is not along it"
+            "the axis has no direction. Give a vector h that is not zero, and a vector f that is not along h"
                 .to_string()
         })
     }

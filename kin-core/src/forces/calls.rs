@@ -97,7 +97,7 @@ impl<'a> Solver<'a> {
                 constraint: system.name().to_string(),
                 kind: "forces".to_string(),
                 reason: format!(
-                    "no body has mass and no load acts. Add masses and loads {}",
+                    "no body of the mechanism has mass, and no load acts. Add masses and loads {}",
                     Surface::chosen().loads()
                 ),
             });
@@ -110,7 +110,8 @@ impl<'a> Solver<'a> {
 
 /// The λ of a program and of the walk differ by less than this share of the largest one.   \[-\]
 const SAME: f64 = 1e-8;
-const OTHERS: &str = "the compiled forces differ from those of the equations at the first time";
+const OTHERS: &str =
+    "the compiled forces differ from the forces of the equations at the first time";
 
 /// The forces of a motion during their computation.
 struct Walk<'a> {
@@ -154,7 +155,10 @@ impl<'a> Walk<'a> {
                 self.walk(&left[1..])?;
             }
             Err(reason) if engine == Engine::Compiled => {
-                let reason = format!("{reason}; {}", Surface::chosen().any_engine_of_forces());
+                let reason = format!(
+                    "{reason}. To let Kin choose the engine, {}",
+                    Surface::chosen().any_engine_of_forces()
+                );
                 return Err(Error::InvalidOptions { reason });
             }
             Err(reason) => {

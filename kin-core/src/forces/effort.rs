@@ -139,8 +139,8 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
             (Some("m"), _) => units.force(),
             (Some("rad"), _) => units.torque(),
             (Some(_), _) => units.energy(),
-            (None, Share::Row(_)) => format!("{} a unit of its row", units.energy()),
-            (None, Share::Law(_)) => format!("{} a unit of its law", units.energy()),
+            (None, Share::Row(_)) => format!("{} per unit of its row", units.energy()),
+            (None, Share::Law(_)) => format!("{} per unit of its law", units.energy()),
         };
         let values =
             (0..motion.len()).map(|k| led.of(block, forces.multipliers.at(k), k)).collect();

@@ -41,7 +41,7 @@ pub fn turn(i: Planar, j: Planar) -> f64 {
 /// Signs: a positive force along the displacement pushes P_i along h_j and body j in the opposite
 /// direction.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the direction needs a length above zero")]
+#[require(h_j.norm() > 0.0, "the direction must not be zero")]
 pub fn slide(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f64 {
     h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm()
 }
@@ -159,7 +159,7 @@ pub fn force_in_time(_x: Coord, t: Time, law: Law) -> f64 {
 ///
 /// Signs: a pressure above the pressure outside makes the chamber longer.
 #[force]
-#[require(area > 0.0, "the area of a piston is above zero")]
+#[require(area > 0.0, "the area of the piston must be above zero")]
 pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
     table.at(x) * area
 }
@@ -171,7 +171,7 @@ pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
 ///
 /// Signs: a positive F makes x longer.
 #[force]
-#[require(column > 0.0, "the column of gas has a length above zero")]
+#[require(column > 0.0, "the length of the column of gas must be above zero")]
 pub fn gas(x: Coord, push: f64, there: f64, column: f64, exponent: f64) -> f64 {
     push * (column / (column + x - there)).powf(exponent)
 }

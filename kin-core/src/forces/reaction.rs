@@ -66,8 +66,13 @@ impl<'f> Reaction<'f> {
         {
             let bodies: Vec<&str> =
                 touched.iter().map(|item| layout.items[*item].name.as_str()).collect();
-            let bodies = if bodies.is_empty() { "no body".to_string() } else { bodies.join(", ") };
-            let reason = format!("it does not act on {on}; it acts on {bodies}");
+            let where_to = match bodies.is_empty() {
+                true => "The constraint acts on no body".to_string(),
+                false => {
+                    format!("Choose a body on which the constraint acts: {}", bodies.join(", "))
+                }
+            };
+            let reason = format!("the constraint does not act on {on}. {where_to}");
             return Err(Error::InvalidParameters {
                 constraint: self.name.clone(),
                 kind: "reaction".to_string(),

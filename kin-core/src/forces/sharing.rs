@@ -84,7 +84,10 @@ impl Forces<'_> {
         }
         let n = at.open.len();
         if rows.len() != n {
-            let reason = format!("{} equations are left out, but {n} are redundant", rows.len());
+            let reason = format!(
+                "the rule leaves out {} equations, but {n} equations are redundant",
+                rows.len()
+            );
             return Err(invalid(self.system.name(), &reason));
         }
         if n == 0 {
@@ -95,7 +98,7 @@ impl Forces<'_> {
         let largest = (0..equations.rows).map(size).fold(0.0, f64::max);
         if let Some(row) = rows.iter().find(|row| size(**row) <= NOTHING * largest) {
             let reason = format!(
-                "`{}` is not redundant: without it, something is free",
+                "the equation `{}` is not redundant: without this equation, a body or coordinate is free",
                 equations.equation(*row)
             );
             return Err(invalid(self.system.name(), &reason));
@@ -105,11 +108,17 @@ impl Forces<'_> {
         let values = matrix.clone().singular_values();
         let dependent = values.min() <= 1e-7 * values.max() || values.min().is_nan();
         if dependent {
-            let reason = format!("without `{}` something is free", names.join("`, `"));
+            let reason = format!(
+                "without the equations `{}`, a body or coordinate is free",
+                names.join("`, `")
+            );
             return Err(invalid(self.system.name(), &reason));
         }
         matrix.lu().solve(&rhs).ok_or_else(|| {
-            invalid(self.system.name(), "the equations left out depend on one another")
+            invalid(
+                self.system.name(),
+                "the equations that the rule leaves out depend on one another",
+            )
         })
     }
 }

@@ -74,7 +74,7 @@ impl Describer {
             Ok(value) => {
                 self.parameters.insert(name.to_string(), value);
             }
-            Err(reason) => self.refuse(format!("its parameter `{name}`: {reason}")),
+            Err(reason) => self.refuse(format!("the parameter `{name}`: {reason}")),
         }
     }
 }

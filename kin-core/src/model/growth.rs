@@ -25,8 +25,7 @@ pub struct Growth {
 /// Forces have no bound at the requested time, which is a singular position.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "forces have no bound at the singular position at t = {}: they grow like {}. Leave this time out, or drive \
-     another body",
+    "forces have no bound at the singular position at t = {}: the forces grow like {}. Leave this time out, or drive another body",
     words::at(*.t, .units), listed(.growth)
 )]
 #[non_exhaustive]

@@ -9,8 +9,7 @@ use crate::model::words;
 /// bound, or no solution exists. Beyond that point a driver would have to pull where it pushes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "friction in `{constraint}` jams the mechanism at t = {}: {share:.3} of this friction already requires infinite \
-     forces{}. Make the guide longer, make the pin or the coefficient smaller, or drive it closer to its line of motion",
+    "friction in `{constraint}` jams the mechanism at t = {}: a share of {share:.3} of this friction already requires infinite forces{}. Make the guide longer, make the pin or the coefficient of friction smaller, or drive the part closer to its line of motion",
     words::at(*.t, .units), driven(.drives)
 )]
 #[non_exhaustive]

@@ -55,7 +55,7 @@ impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "the derivatives of `{}` by its {} route, dual numbers and central differences differ at {}:",
+            "the derivatives of `{}` by the {} route, by dual numbers and by central differences differ at {}:",
             self.kind, self.route, self.place
         )?;
         let width = self
@@ -87,15 +87,14 @@ impl fmt::Display for Mismatch {
             )?;
         }
         if self.entries.len() > SHOWN {
-            writeln!(f, "  and {} more", self.entries.len() - SHOWN)?;
+            writeln!(f, "  and {} more entries", self.entries.len() - SHOWN)?;
         }
         for (k, (name, q)) in self.q.iter().enumerate() {
-            writeln!(f, "  {name} = {q}, rate {}", self.qd.get(k).copied().unwrap_or(0.0))?;
+            writeln!(f, "  {name} = {q}, velocity {}", self.qd.get(k).copied().unwrap_or(0.0))?;
         }
         write!(
             f,
-            "  t = {}\n  At a kink, derivatives are one-sided, so choose another state. \
-             The equation must depend on its arguments alone. Otherwise, report this constraint.",
+            "  t = {}\n  At a kink, derivatives are one-sided, so choose another state. The equation must depend only on the arguments of the constraint.",
             self.t
         )
     }

@@ -4,7 +4,7 @@ use crate::model::error::Error;
 
 /// A derivative by a parameter that does not exist, or whose derivative is unknown.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("no derivative by `{by}`: {reason}")]
+#[error("Kin cannot compute a derivative by `{by}`: {reason}")]
 #[non_exhaustive]
 pub struct NoDerivative {
     /// The parameter, such as `coupler.length`.

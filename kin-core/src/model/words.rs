@@ -25,6 +25,16 @@ pub(crate) fn at(t: f64, units: &Units) -> String {
     format!("{} {}", time(t), units.time())
 }
 
+/// The unit of a coordinate of a body behind its value: " rad" or " m"; nothing for a coordinate
+/// whose name does not tell it.
+pub(crate) fn of_coordinate(name: &str, length: &str) -> String {
+    match name.rsplit_once('.').map(|(_, end)| end) {
+        Some("theta") => " rad".to_string(),
+        Some("R_x" | "R_y" | "R_z") if !length.is_empty() => format!(" {length}"),
+        _ => String::new(),
+    }
+}
+
 /// " row y", or nothing for a constraint of one row.
 pub(crate) fn row(row: &str) -> String {
     if row.is_empty() { String::new() } else { format!(" row {row}") }

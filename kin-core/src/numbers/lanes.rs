@@ -104,7 +104,7 @@ fn limit_of(value: &str) -> Result<usize, String> {
     known.ok_or_else(|| {
         let all = VALUES.map(|(name, _)| format!("`{name}`")).join(", ");
         format!(
-            "the environment variable {VARIABLE} is `{value}`. Set it to one of {all}, or remove it to use the widest registers of the machine"
+            "the environment variable {VARIABLE} is `{value}`. Set {VARIABLE} to one of {all}, or remove {VARIABLE} to use the widest registers of the machine"
         )
     })
 }

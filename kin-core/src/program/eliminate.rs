@@ -67,8 +67,8 @@ pub(super) struct Pivot {
 }
 
 /// Why there is no elimination.
-pub(super) const SINGULAR: &str = "its equations are singular at the guess";
-pub(super) const TANGLED: &str = "too many of its coordinates depend on one another";
+pub(super) const SINGULAR: &str = "the equations are singular at the guess";
+pub(super) const TANGLED: &str = "too many coordinates depend on one another";
 
 impl<'a> Elimination<'a> {
     /// Chooses the elimination. `slopes` contains the entries of each row of the whole system as

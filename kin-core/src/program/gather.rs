@@ -76,16 +76,15 @@ impl fmt::Display for Refusal {
     /// Writes "`x` cannot be compiled: …".
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.constraint.as_str() {
-            "" => write!(f, "the mechanism cannot be compiled: {}", self.reason),
-            name => write!(f, "`{name}` cannot be compiled: {}", self.reason),
+            "" => write!(f, "Kin cannot compile the mechanism: {}", self.reason),
+            name => write!(f, "Kin cannot compile `{name}`: {}", self.reason),
         }
     }
 }
 
 /// The reason why a constraint without a formula cannot be compiled.
-pub(crate) const UNREAD: &str =
-    "Kin does not know its equation as a formula: it takes the dual route, or is written by hand";
-pub(crate) const ABROAD: &str = "one of its bodies is of another mechanism";
+pub(crate) const UNREAD: &str = "Kin does not know the equation as a formula: the constraint takes the dual route, or is written by hand";
+pub(crate) const ABROAD: &str = "one of the bodies belongs to another mechanism";
 
 /// Gathers the equations of a system, with or without the terms of the jerk. Returns an error with
 /// the name of an unreadable constraint. Numbers that differ from case to case become inputs.

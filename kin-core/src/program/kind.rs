@@ -58,7 +58,7 @@ pub(super) struct KindRow {
 
 /// Why an equation cannot be read as a graph.
 pub(crate) const FOREIGN: &str = "a function that only rustc can read depends on coordinates";
-const EMPTY: &str = "Kin does not know its equation as a formula";
+const EMPTY: &str = "Kin does not know the equation as a formula";
 
 impl Kind {
     /// Differentiates the rows as they are written, with or without the terms of the jerk.

@@ -69,7 +69,7 @@ pub(crate) struct Program {
 }
 
 /// The reason why a mechanism with redundant equations cannot be compiled.
-pub(crate) const REDUNDANT: &str = "it has more equations than coordinates";
+pub(crate) const REDUNDANT: &str = "the mechanism has more equations than coordinates";
 
 /// Makes the program of a system with its elimination chosen at a pose, with or without q⃛.
 pub(crate) fn program(system: &System, pose: Pose<'_>, jerk: bool) -> Result<Program, Refusal> {

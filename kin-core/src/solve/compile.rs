@@ -99,7 +99,7 @@ impl Compiled {
         if left > 0 {
             let blocks: Vec<String> = self.blocks.iter().map(usize::to_string).collect();
             text += &format!(
-                ", Newton's method solves {left} in blocks of {}: {}",
+                ", Newton's method solves {left} coordinates in blocks of {}: {}",
                 blocks.join(", "),
                 self.unknowns.join(", ")
             );

@@ -284,7 +284,9 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
 
 fn not_there(lanes: Lanes) -> Error {
     Error::InvalidOptions {
-        reason: format!("this machine does not have {lanes:?}; Lanes::Best takes what there is"),
+        reason: format!(
+            "this machine does not have the registers for {lanes:?}. Choose `Lanes::Best`"
+        ),
     }
 }
 
@@ -296,6 +298,6 @@ fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
 fn pool(threads: usize) -> Result<rayon::ThreadPool> {
     let built = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
     built.map_err(|why| Error::InvalidOptions {
-        reason: format!("{threads} threads cannot be had: {why}"),
+        reason: format!("Kin cannot start {threads} threads: {why}"),
     })
 }

@@ -137,7 +137,7 @@ impl System {
         match self.dimension_entry(k) {
             Some(entry) if entry.is_derived => Err(DimensionError::invalid(
                 &entry.name,
-                "it is an expression of other dimensions. Use those, or make it a separate dimension",
+                "the dimension is an expression of other dimensions. Set the dimensions in the expression instead",
             )),
             _ => Ok(()),
         }
@@ -168,10 +168,12 @@ impl System {
         let Some(entry) = self.dimension_entry(k) else { return Ok(()) };
         let fail = |reason: String| Err(DimensionError::invalid(&entry.name, reason));
         if !value.is_finite() {
-            return fail(format!("it cannot be {value}. Give a finite number"));
+            return fail(format!("the value is {value}. Give a finite number"));
         }
         match entry.range.filter(|[from, to]| !(*from <= value && value <= *to)) {
-            Some([from, to]) => fail(format!("{value} is beyond its range {from} … {to}")),
+            Some([from, to]) => {
+                fail(format!("the value {value} is outside the range {from} … {to}"))
+            }
             None => Ok(()),
         }
     }
@@ -266,7 +268,9 @@ impl System {
             match &all.hung[number].at {
                 Bound::Parameter { of, name: parameter, .. } if !found.is_finite() => {
                     let of = self.held(*of).map_or("", |(of, _)| of);
-                    return invalid(format!("with {value} `{of}.{parameter}` is {found}"));
+                    return invalid(format!(
+                        "with the value {value} the parameter `{of}.{parameter}` is {found}"
+                    ));
                 }
                 Bound::Length(link) if !(found.is_finite() && found > 0.0) => {
                     let (item, length) = self.lengths[*link];
@@ -276,12 +280,14 @@ impl System {
                     });
                 }
                 at if at.is_guess() && !found.is_finite() => {
-                    return invalid(format!("with {value} a guess is {found}"));
+                    return invalid(format!("with the value {value} a guess is {found}"));
                 }
                 Bound::Facing { first, .. }
                     if self.initial[*first..*first + 7].iter().any(|x| !x.is_finite()) =>
                 {
-                    return invalid(format!("with {value} a body faces no direction"));
+                    return invalid(format!(
+                        "with the value {value} the direction of a body is zero"
+                    ));
                 }
                 _ => {}
             }
@@ -290,9 +296,9 @@ impl System {
             Bound::Parameter { of, .. } | Bound::Axis { of, .. } => self
                 .held(*of)
                 .map_or(Ok(()), |(of, constraint)| sensible_parameters(of, constraint)),
-            Bound::Beside { of, .. } => {
-                self.sensible_beside(of).or_else(|error| invalid(format!("with {value} {error}")))
-            }
+            Bound::Beside { of, .. } => self
+                .sensible_beside(of)
+                .or_else(|error| invalid(format!("with the value {value} {error}"))),
             _ => Ok(()),
         })
     }

@@ -63,10 +63,13 @@ impl System {
         let reason = match known[..] {
             [] => {
                 format!(
-                    "there is no `{name}`: this joint has no measure. Use a point, an angle between bodies or a coordinate instead"
+                    "`{name}` does not exist, because this joint has no measure. Use a point, an angle between bodies or a coordinate instead"
                 )
             }
-            _ => format!("there is no `{name}`. This joint has {}", known.join(" and ")),
+            _ => format!(
+                "`{name}` does not exist. This joint has the measures {}",
+                known.join(" and ")
+            ),
         };
         Error::InvalidConstraint {
             constraint: joint.to_string(),

@@ -12,8 +12,8 @@ use crate::tree::Tree;
 
 /// Why couplings are left out.
 const NO_FRAME: &str = "no body holds the axes of both wheels by a revolute or cylindrical joint";
-const NO_PITCH: &str = "its pitch is zero";
-const NO_RADIUS: &str = "its pitch radius is zero";
+const NO_PITCH: &str = "the pitch of the screw is zero";
+const NO_RADIUS: &str = "a pitch radius is zero";
 
 /// The turn of marker J in I about z of I, and its way along x, y and z of I, where the parts
 /// stand.

@@ -45,7 +45,7 @@ const KINDS: [&str; 20] = [
 ];
 
 /// Why a motion or a limit is left out.
-pub(super) const NO_JOINT: &str = "Kin reads no joint with its name or between its markers";
+pub(super) const NO_JOINT: &str = "Kin reads no joint with this name or between these markers";
 
 /// Axes with a smaller sine between them are parallel.   \[-\]
 const PARALLEL: f64 = 1e-9;
@@ -77,7 +77,7 @@ impl Reading {
             return Ok(());
         }
         let Some([i, j]) = self.markers.of(of)? else {
-            self.leave(of, "it does not name two markers", true);
+            self.leave(of, "the block does not name two markers", true);
             return Ok(());
         };
         if let Some(reason) = self.on_one_body(&i, &j) {
@@ -165,8 +165,7 @@ impl Reading {
     pub(super) fn on_one_body(&self, i: &Marker, j: &Marker) -> Option<String> {
         let is_ground = i.body == SpatialBody::from(self.mechanism.ground());
         let on = if is_ground { "the ground" } else { "one part" };
-        (i.body == j.body)
-            .then(|| format!("both of its markers are on {on}, so it cannot move anything"))
+        (i.body == j.body).then(|| format!("both markers are on {on}, so the block moves nothing"))
     }
 
     /// The joint that a motion or a limit is of: the one that its line `MotionJoint` names, else
@@ -197,7 +196,7 @@ impl Reading {
                 let angle = angle.cos().acos();
                 if angle.sin() < PARALLEL {
                     return Ok(Some(
-                        "its axes are parallel, where the angle between them holds nothing",
+                        "the axes are parallel, so the angle between the axes has no slope",
                     ));
                 }
                 self.add(name, line, spatial::angle(a, b, z_j, z_i, angle))?;
@@ -205,7 +204,9 @@ impl Reading {
             "ConstantVelocityJoint" => {
                 // x_I · y_J + y_I · x_J = 0 carries turns on where z of the markers oppose.
                 if i.global(2).dot(j.global(2)) > 0.0 {
-                    return Ok(Some("z of its markers do not oppose, as those of such a joint do"));
+                    return Ok(Some(
+                        "the z-axes of the two markers must point in opposite directions",
+                    ));
                 }
                 let z_j = Axis::new(-j.axis(2), j.axis(0));
                 self.add(name, line, spatial::constant_velocity(a, b, j.u, i.u, z_j, z_i))?;
@@ -217,7 +218,7 @@ impl Reading {
             kind => {
                 let distance = distance(of)?;
                 if distance == 0.0 {
-                    return Ok(Some("its distance is zero, where its equation has no slope"));
+                    return Ok(Some("the distance is zero, so the equation has no slope"));
                 }
                 match kind {
                     "SphSphJoint" => {
@@ -278,7 +279,7 @@ impl Reading {
         };
         let name = format!("{}.{measure}", joint.name);
         if !has {
-            self.leave(of, "its joint does not measure that", false);
+            self.leave(of, "the joint does not measure this quantity", false);
             return Ok(());
         }
         let value = Formula::read(end).map_err(|reason| Mistake::at(at, reason))?;
@@ -291,7 +292,7 @@ impl Reading {
             _ => {
                 return Err(Mistake::at(
                     of.line,
-                    format!("`{way}` is no kind of limit: `=>` or `=<`"),
+                    format!("`{way}` is not a kind of limit: write `=>` or `=<`"),
                 ));
             }
         };

@@ -40,7 +40,10 @@ const MOST_TIMES: f64 = 1e6;
 pub fn asmt(text: &str) -> Result<Imported, Mistake> {
     let file = Tree::read(text)?;
     let assembly = file.get("Assembly").ok_or_else(|| {
-        Mistake::at(0, "there is no line `Assembly`, so this is no file of OndselSolver (.asmt)")
+        Mistake::at(
+            0,
+            "the file has no line `Assembly`, so the file is not of OndselSolver (.asmt)",
+        )
     })?;
     let name = assembly.value("Name").map_or("", |(name, _)| name);
     let mut reading = Reading {
@@ -98,7 +101,7 @@ impl Reading {
         }
         let known = ["Joints", "Motions", "Limits", "GeneralConstraintSets"];
         for other in sets.inside.iter().filter(|other| !known.contains(&other.text)) {
-            self.leave(other, "Kin does not know it", true);
+            self.leave(other, "Kin does not know this block", true);
         }
         Ok(())
     }
@@ -127,7 +130,7 @@ impl Reading {
 impl LeftOut {
     /// The empty name of a block, which Kin calls otherwise.
     fn name_of(of: &Tree<'_>, name: &str) -> LeftOut {
-        let reason = format!("it is empty; Kin reads the rest of it as `{name}`");
+        let reason = format!("the name is empty. Kin reads the block as `{name}`");
         LeftOut { line: of.line, name: format!("the name of {}", of.text), reason, matters: false }
     }
 }

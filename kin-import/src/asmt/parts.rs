@@ -51,7 +51,7 @@ impl Markers {
         let (Ok(i), Ok(j)) = (of.value("MarkerI"), of.value("MarkerJ")) else { return Ok(None) };
         let named = |(path, line): (&str, usize)| {
             let known = self.0.get(path).copied();
-            known.ok_or_else(|| Mistake::at(line, format!("there is no marker `{path}`")))
+            known.ok_or_else(|| Mistake::at(line, format!("no marker has the name `{path}`")))
         };
         Ok(Some([named(i)?, named(j)?]))
     }
@@ -90,7 +90,7 @@ fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
     Err(Mistake::at(
         line,
         format!(
-            "this is no rotation matrix: its rows deviate from length 1 and right angles by {worst:.1e}"
+            "the matrix is not a rotation: the rows deviate from length 1 and right angles by {worst:.1e}"
         ),
     ))
 }
@@ -118,12 +118,16 @@ impl Reading {
             for marker in point.all("Markers") {
                 let (u, axes) = frame(marker)?;
                 let Ok((name, line)) = marker.value("Name") else {
-                    self.leave(marker, "it has no name by which a joint could find it", false);
+                    self.leave(
+                        marker,
+                        "the marker has no name, so no joint can use the marker",
+                        false,
+                    );
                     continue;
                 };
                 let path = format!("{path}/{name}");
                 if self.markers.0.insert(path.clone(), own.marker(r + a * u, a * axes)).is_some() {
-                    return Err(Mistake::at(line, format!("there are two markers `{path}`")));
+                    return Err(Mistake::at(line, format!("two markers have the name `{path}`")));
                 }
             }
         }
@@ -132,7 +136,7 @@ impl Reading {
 
     fn part(&mut self, part: &Tree<'_>, path: &str, on: (Vec3, Mat3)) -> Result<(), Mistake> {
         if part.text != "Part" {
-            self.leave(part, "it is no part", true);
+            self.leave(part, "the block is not a part", true);
             return Ok(());
         }
         let (name, line) = self.name_of(part);
@@ -162,7 +166,7 @@ impl Reading {
     ) -> Result<(), Mistake> {
         let [mass] = of.numbers::<1>("Mass")?;
         if mass == 0.0 {
-            self.leave(of, "its mass is zero: the part weighs nothing", false);
+            self.leave(of, "the mass is zero, so the part weighs nothing", false);
             return Ok(());
         }
         let [x, y, z] = of.numbers::<3>("MomentOfInertias")?;

@@ -106,9 +106,9 @@ fn a_joint_between_two_markers_of_one_body_is_left_out_by_name() {
         for kind in ["PlanarJoint", "RevoluteJoint", "GearJoint", "FixedJoint"] {
             let (left_out, q) = read(&text(LAW, &joint(kind, "mate", i, j)));
             let [told] = &left_out[..] else { panic!("{left_out:?}") };
-            assert!(told.contains(&format!(
-                "Kin leaves out {kind} `mate`: both of its markers are on {on}"
-            )));
+            assert!(
+                told.contains(&format!("Kin leaves out {kind} `mate`: both markers are on {on}"))
+            );
             assert_eq!(q, read(&text(LAW, "")).1);
         }
     }
@@ -117,6 +117,6 @@ fn a_joint_between_two_markers_of_one_body_is_left_out_by_name() {
     let (left_out, _) = read(&text(LAW, half));
     assert!(
         left_out.len() == 1
-            && left_out[0].contains("Kin leaves out RevoluteJoint `half`: it does not name")
+            && left_out[0].contains("Kin leaves out RevoluteJoint `half`: the block does not name")
     );
 }

@@ -175,14 +175,17 @@ fn joints_whose_numbers_make_no_sense_are_left_out_by_name() {
     };
     let free = [0; 6];
     for (of, reason) in [
-        (kind("ScrewJoint", free, Alike), "its pitch is zero"),
+        (kind("ScrewJoint", free, Alike), "the pitch of the screw is zero"),
         (
             with(kind("RackPinionJoint", free, Alike), [0.0; 3], ("pitchRadius", "0")),
-            "its pitch radius is zero",
+            "a pitch radius is zero",
         ),
-        (kind("AngleJoint", free, Alike), "its axes are parallel"),
-        (kind("ConstantVelocityJoint", free, Alike), "z of its markers do not oppose"),
-        (kind("SphSphJoint", free, Alike), "its distance is zero"),
+        (kind("AngleJoint", free, Alike), "the axes are parallel"),
+        (
+            kind("ConstantVelocityJoint", free, Alike),
+            "the z-axes of the two markers must point in opposite directions",
+        ),
+        (kind("SphSphJoint", free, Alike), "the distance is zero"),
         (kind("NoRotationJoint", free, Alike), "Kin does not read joints of this kind"),
     ] {
         let name = of.name;

@@ -147,22 +147,23 @@ fn what_is_left_out_is_told_by_name() {
 #[test]
 fn mistakes_are_told_with_their_lines() {
     let told = |text: String| asmt(&text).map(|_| ()).unwrap_err().to_string();
-    assert!(told("{}".to_string()).starts_with("there is no line `Assembly`"));
+    assert!(told("{}".to_string()).starts_with("the file has no line `Assembly`"));
     let law = told(text("2*speed", ""));
     assert!(
-        law.contains("`RotationZ`: `speed` is not known in a formula") && law.starts_with("line "),
+        law.contains("`RotationZ`: Kin does not know `speed` in a formula")
+            && law.starts_with("line "),
         "{law}"
     );
     let marker = told(text("time", "").replace("\t/askew/rod/B", "\t/askew/rod/C"));
-    assert!(marker.contains("there is no marker `/askew/rod/C`"), "{marker}");
+    assert!(marker.contains("no marker has the name `/askew/rod/C`"), "{marker}");
     let number = told(text("time", "").replace("\t2.0\n\t\t\t\tMoment", "\theavy\n\t\t\t\tMoment"));
-    assert!(number.contains("`heavy` is no number"), "{number}");
+    assert!(number.contains("`heavy` is not a number"), "{number}");
     let twice = told(text("time", "").replace("\t\t\t\trod\n", "\t\t\t\tcrank\n"));
     assert!(twice.contains("crank"), "{twice}");
     let mass = told(text("time", "").replace("0.1\t0.2 0.25", "0.1\t0.2 0.35"));
     assert!(mass.contains("more than the sum of the others"), "{mass}");
     let skew = told(text("time", "").replacen("1\t0 0", "1\t0.1 0", 1));
-    assert!(skew.contains("this is no rotation matrix"), "{skew}");
+    assert!(skew.contains("the matrix is not a rotation"), "{skew}");
 }
 
 #[test]

@@ -64,7 +64,7 @@ impl Reader {
     ) -> Read {
         self.calls += 1;
         if self.calls > MOST_CALLS {
-            return Err(Unreadable::new(at, "a recursion this deep"));
+            return Err(Unreadable::new(at, "a recursion of this depth"));
         }
         let value = match function {
             Function::Closure(closure) => {

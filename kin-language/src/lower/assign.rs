@@ -48,12 +48,12 @@ impl Reader {
             Value::Array(all) if what == "an array" && all.len() == places.len() => all,
             Value::Poison => return Ok(()),
             Value::Opaque(_) => {
-                return Err(Unreadable::new(at, "taking apart a value of unknown type"));
+                return Err(Unreadable::new(at, "a pattern for a value of unknown type"));
             }
             other => {
                 self.mistake(
                     at,
-                    format!("this takes {what} apart, but the value is {}", other.name()),
+                    format!("the pattern takes {what} apart, but the value is {}", other.name()),
                 );
                 return Ok(());
             }
@@ -95,7 +95,12 @@ impl Reader {
                 self.change(&Expr::Path(path.clone()), &Place::whole(slot));
                 self.store.set(slot, value);
             }
-            _ => drop(self.mistake(path, format!("there is no variable `{name}` to assign to"))),
+            _ => drop(self.mistake(
+                path,
+                format!(
+                    "no variable has the name `{name}`: declare the variable with `let mut {name}`"
+                ),
+            )),
         }
         Ok(())
     }

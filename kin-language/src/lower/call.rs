@@ -57,7 +57,7 @@ impl Reader {
     ) -> Read {
         self.calls += 1;
         if self.calls > super::MOST_CALLS {
-            return Err(Unreadable::new(call, "a recursion this deep"));
+            return Err(Unreadable::new(call, "a recursion of this depth"));
         }
         let places: Vec<&Expr> = call.args.iter().collect();
         let value = self.apply_inner(item, depth, (arguments, &places), given, call);
@@ -256,7 +256,7 @@ impl Reader {
     pub fn no_derivative(&mut self, function: &str, at: &dyn ToTokens) -> Value {
         self.mistake(
             at,
-            format!("`{function}` has no derivative, and this depends on coordinates or time"),
+            format!("`{function}` has no derivative, but the value depends on coordinates or time"),
         )
     }
 
@@ -337,21 +337,15 @@ fn not_called(value: &Value, name: &str) -> String {
     match value {
         Value::Law(_) => format!("`{name}` is a Law: get a value with `{name}.at(x)`"),
         Value::Scalar(_) => {
-            format!(
-                "`{name}` is a number, which cannot be called; a product is written `{name} * x`"
-            )
+            format!("`{name}` is a number and no function: write a product as `{name} * x`")
         }
-        Value::Vector(_) => format!(
-            "`{name}` is {}, which cannot be called; its components are fields, `{name}.x`",
-            value.name()
-        ),
+        Value::Vector(_) => {
+            format!("`{name}` is {} and no function: write a component as `{name}.x`", value.name())
+        }
         Value::Array(_) => {
-            format!(
-                "`{name}` is {}, which cannot be called; an element of it is `{name}[0]`",
-                value.name()
-            )
+            format!("`{name}` is {} and no function: write an element as `{name}[0]`", value.name())
         }
-        _ => format!("`{name}` is {}, which cannot be called", value.name()),
+        _ => format!("`{name}` is {} and no function", value.name()),
     }
 }
 

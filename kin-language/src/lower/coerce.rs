@@ -70,7 +70,7 @@ impl Reader {
             other => {
                 self.mistake(
                     at,
-                    format!("this must be a condition (bool), but it is {}", other.name()),
+                    format!("expected a condition (bool), but found {}", other.name()),
                 );
                 self.graph.bool(true)
             }
@@ -105,16 +105,17 @@ impl Reader {
                 let name = at.to_token_stream();
                 self.mistake(at, format!("`{name}` is a Law: get a value with `{name}.at(x)`"))
             }
-            (Value::Euler(_), Shape::Vector(_)) => {
-                self.mistake(at, "Euler parameters are not a vector; `p.vector()` is (e1, e2, e3)")
-            }
+            (Value::Euler(_), Shape::Vector(_)) => self.mistake(
+                at,
+                "Euler parameters are not a vector: write `p.vector()` for (e1, e2, e3)",
+            ),
             (value, shape)
                 if value.components().is_some_and(|(kind, _)| kind.shape() == *shape) =>
             {
                 value
             }
             (other, shape) => {
-                self.mistake(at, format!("expected {}, but this is {}", shape.name(), other.name()))
+                self.mistake(at, format!("expected {}, but found {}", shape.name(), other.name()))
             }
         }
     }
@@ -214,7 +215,7 @@ impl Reader {
                 } else {
                     format!("{name} as f64")
                 };
-                self.mistake(&name, format!("`{name}` is a `{ty}`; convert it by `{cure}`"))
+                self.mistake(&name, format!("`{name}` is a `{ty}`: write `{cure}` for a number"))
             }
             template => {
                 let nodes = self.opaque(template, OpaqueKind::Numbers(shape.clone()));

@@ -110,7 +110,7 @@ impl Reader {
                 match name.as_str() {
                     "take" => Value::Iterator(self.first_of_endless(&endless, k, whole)?),
                     "skip" => Value::Endless(Endless::Skipped(Rc::new(endless), k)),
-                    _ if k == 0 => return Err(Unreadable::new(place, "a step of nothing")),
+                    _ if k == 0 => return Err(Unreadable::new(place, "a step of zero")),
                     _ => Value::Endless(Endless::Stepped(Rc::new(endless), k)),
                 }
             }

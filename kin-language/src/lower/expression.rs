@@ -16,7 +16,7 @@ use super::value::{Value, entry, position};
 use super::{MOST_EXPRESSIONS, MOST_NODES, MOST_PARTS, MOST_TURNS, Read, Reader, Unreadable};
 use crate::vocabulary::is_integer;
 
-const LET_WITHIN: &str = "`let` begins a statement, or tests a pattern in the condition of an `if` or `while`: a `;` is missing before it";
+const LET_WITHIN: &str = "`let` begins a statement, or tests a pattern in the condition of an `if` or `while`: write `;` before this `let`";
 
 impl Reader {
     /// Returns the value of an expression. If it is a reference, the function returns the value
@@ -30,7 +30,7 @@ impl Reader {
     pub fn raw_expression(&mut self, expression: &Expr) -> Read {
         self.expressions_read += 1;
         if self.graph.len() > MOST_NODES || self.expressions_read > MOST_EXPRESSIONS {
-            return Err(Unreadable::new(expression, "an equation this long"));
+            return Err(Unreadable::new(expression, "an equation of this length"));
         }
         let first = self.graph.len();
         let value = self.by_kind(expression)?;
@@ -90,14 +90,16 @@ impl Reader {
 
     fn literal(&mut self, literal: &ExprLit) -> Read {
         match &literal.lit {
-            Lit::Float(x) if x.suffix() == "f32" => Ok(self.mistake(x, "numbers are `f64`")),
+            Lit::Float(x) if x.suffix() == "f32" => {
+                Ok(self.mistake(x, "write `f64`: Kin computes with `f64` only"))
+            }
             Lit::Float(x) => Ok(Value::Scalar(self.graph.decimal(x.base10_digits()))),
             Lit::Int(k) if k.suffix() == "f64" => {
                 Ok(Value::Scalar(self.graph.decimal(k.base10_digits())))
             }
             Lit::Int(k) => match k.base10_parse() {
                 Ok(value) => Ok(Value::Integer(value, IntegerType::named(k.suffix()))),
-                Err(_) => Err(Unreadable::new(k, "an integer this large")),
+                Err(_) => Err(Unreadable::new(k, "an integer of this size")),
             },
             Lit::Bool(b) => Ok(Value::Condition(self.graph.bool(b.value))),
             other => Ok(Value::Opaque(Template::Tokens(other.to_token_stream()))),
@@ -111,14 +113,14 @@ impl Reader {
             return Ok(constant);
         }
         match known {
-            Some(Value::Unassigned) => Ok(self.mistake(path, "this variable has no value yet")),
+            Some(Value::Unassigned) => Ok(self.mistake(path, "the variable has no value yet")),
             Some(Value::Perhaps(_)) => Ok(self.mistake(path, super::rustc::PERHAPS)),
             Some(value) => {
                 let size = value.size();
                 self.expressions_read += size;
                 match value {
                     Value::Opaque(_) if size > MOST_PARTS => {
-                        Err(Unreadable::new(path, "a value this long in the making"))
+                        Err(Unreadable::new(path, "a value with so many operations"))
                     }
                     Value::Opaque(Template::Parameter(name)) => {
                         Ok(Value::Opaque(Template::Parameter(at(name, path))))
@@ -311,7 +313,7 @@ impl Reader {
             Value::Condition(_) => {
                 return Err(Unreadable::new(
                     &cast.as_token,
-                    "turning a condition into something else",
+                    "a cast of a condition to another type",
                 ));
             }
             Value::Opaque(template) => {
@@ -380,21 +382,21 @@ fn fits(k: i64, name: &str) -> bool {
 fn field_cure(base: &Value, name: &str) -> &'static str {
     match (base, name) {
         (Value::Planar(_), "x" | "y") | (Value::Spatial(_), "x" | "y" | "z") => {
-            "; the origin is `.r.x`, `.r.y`"
+            ": write `.r.x` and `.r.y` for the origin"
         }
-        (Value::Planar(_), "a") => "; the rotation matrix is `.a()`",
+        (Value::Planar(_), "a") => ": write `.a()` for the rotation matrix",
         (Value::Planar(_), _) => {
-            "; it has `r`, `theta`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`"
+            ": the fields are `r` and `theta`, the methods are `a()`, `point(u)`, `direction(h)`, `local(p)`"
         }
-        (Value::Spatial(_), "theta") => "; a spatial body has Euler parameters, `p`",
+        (Value::Spatial(_), "theta") => ": write `p` for the Euler parameters of a spatial body",
         (Value::Spatial(_), _) => {
-            "; it has `r`, `p`, and the methods `a()`, `point(u)`, `direction(h)`, `local(p)`"
+            ": the fields are `r` and `p`, the methods are `a()`, `point(u)`, `direction(h)`, `local(p)`"
         }
-        (Value::Axis(_), _) => "; it has `h`, and `f` and `g` across it",
-        (Value::Vector(v), _) if v.len() == 2 => "; it has `x` and `y`",
-        (Value::Vector(_), _) => "; it has `x`, `y` and `z`",
-        (Value::Euler(_), _) => "; it has `e0`, `e1`, `e2` and `e3`",
-        (Value::Law(_), _) => "; get a value with `.at(x)`",
+        (Value::Axis(_), _) => ": the fields are `h`, and `f` and `g` across `h`",
+        (Value::Vector(v), _) if v.len() == 2 => ": the fields are `x` and `y`",
+        (Value::Vector(_), _) => ": the fields are `x`, `y` and `z`",
+        (Value::Euler(_), _) => ": the fields are `e0`, `e1`, `e2` and `e3`",
+        (Value::Law(_), _) => ": write `.at(x)` for a value",
         _ => "",
     }
 }

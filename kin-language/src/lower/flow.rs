@@ -87,7 +87,7 @@ impl Reader {
     pub fn leave(&mut self, number: usize, value: Value, at: &dyn ToTokens) -> Read {
         let frame = &self.frames[number];
         if frame.exits.len() == MOST_EXITS {
-            return Err(Unreadable::new(at, "a loop or function with this many ways out"));
+            return Err(Unreadable::new(at, "a loop or function with so many exits"));
         }
         let on_the_way: Vec<Node> = self.path[frame.path..]
             .iter()
@@ -141,7 +141,7 @@ impl Reader {
                 (true, None) => self.mistake(
                     at,
                     format!(
-                        "this gives {} in one place, and {} in another",
+                        "the loop or function gives {} in one place, and {} in another",
                         given.name(),
                         value.name()
                     ),
@@ -232,10 +232,7 @@ impl Reader {
                 Ok(self.perhaps(joined))
             }
             _ => self.select(condition, a, b).ok_or_else(|| {
-                Unreadable::new(
-                    at,
-                    "a variable that is of one kind in one branch and of another in the other",
-                )
+                Unreadable::new(at, "a variable of different types in two branches")
             }),
         }
     }

@@ -16,19 +16,21 @@ impl Reader {
     pub fn joined(&mut self, condition: Node, a: &Value, b: &Value, at: &dyn ToTokens) -> Read {
         match self.select(condition, a, b) {
             Some(value) => Ok(value),
-            None if open(a) || open(b) => {
-                Err(Unreadable::new(at, "branches of kinds that cannot be joined here"))
-            }
+            None if open(a) || open(b) => Err(Unreadable::new(at, "branches of different types")),
             None => {
                 let nothing = |value: &Value| matches!(value, Value::Tuple(all) if all.is_empty());
                 let cure = if nothing(a) || nothing(b) {
-                    "; give the other one a value too, as in `else { 0.0 }`"
+                    ". Give each branch a value, as in `else { 0.0 }`"
                 } else {
                     ""
                 };
                 Ok(self.mistake(
                     at,
-                    format!("the branches differ: {} and {}{cure}", a.name(), b.name()),
+                    format!(
+                        "the branches have different types: {} and {}{cure}",
+                        a.name(),
+                        b.name()
+                    ),
                 ))
             }
         }

@@ -86,7 +86,7 @@ impl Reader {
             }
             open += usize::from(self.exits() > ways_out);
             if self.graph.len() > MOST_NODES || k as i64 > MOST_TURNS {
-                return Err(Unreadable::new(at, "a loop this long"));
+                return Err(Unreadable::new(at, "a loop of this length"));
             }
             if open > MOST_OPEN_TURNS {
                 return Err(Unreadable::new(at, "a loop with an unknown end"));
@@ -112,7 +112,7 @@ impl Reader {
             Some(number) => self.leave(number, value, leaving),
             None => self
                 .no_such_loop(leaving.label.as_ref())
-                .ok_or_else(|| Unreadable::new(leaving, "a `break` out of nothing")),
+                .ok_or_else(|| Unreadable::new(leaving, "a `break` outside of a loop")),
         }
     }
 
@@ -122,7 +122,7 @@ impl Reader {
             Some(number) => self.leave(number, Value::unit(), leaving),
             None => self
                 .no_such_loop(leaving.label.as_ref())
-                .ok_or_else(|| Unreadable::new(leaving, "a `continue` of nothing")),
+                .ok_or_else(|| Unreadable::new(leaving, "a `continue` outside of a loop")),
         }
     }
 
@@ -138,7 +138,7 @@ impl Reader {
                 self.leave(0, value, leaving)
             }
             (Some(number), ..) => self.leave(number, value, leaving),
-            (None, ..) => Err(Unreadable::new(leaving, "a `return` out of nothing")),
+            (None, ..) => Err(Unreadable::new(leaving, "a `return` outside of a function")),
         }
     }
 
@@ -200,10 +200,7 @@ impl Reader {
             other => {
                 self.mistake(
                     at,
-                    format!(
-                        "this loop needs a range or an array, but the value is {}",
-                        other.name()
-                    ),
+                    format!("a loop needs a range or an array, but the value is {}", other.name()),
                 );
                 Ok(None)
             }

@@ -188,10 +188,7 @@ impl Reader {
             return Ok(if wanted.value { holds } else { self.graph.not(holds) });
         }
         if template.has_choice() || self.varies(template) {
-            return Err(Unreadable::new(
-                pattern,
-                "a pattern that takes a value of unknown type apart",
-            ));
+            return Err(Unreadable::new(pattern, "a pattern for a value of unknown type"));
         }
         let mut blank = pattern.clone();
         Blank.visit_pat_mut(&mut blank);
@@ -276,19 +273,13 @@ impl Reader {
             }
             (Lit::Float(x), Value::Integer(..)) => {
                 let whole = x.base10_parse::<f64>().map_or(0.0, f64::trunc);
-                self.mistake(
-                    at,
-                    format!("the value is an integer; a pattern of it is one too, `{whole}`"),
-                );
+                self.mistake(at, format!("the value is an integer: write the pattern `{whole}`"));
                 Ok(self.graph.bool(false))
             }
             (Lit::Int(k), Value::Scalar(_)) => {
                 self.mistake(
                     at,
-                    format!(
-                        "the value is an f64; a pattern of it is one too, `{}.0`",
-                        k.base10_digits()
-                    ),
+                    format!("the value is an f64: write the pattern `{}.0`", k.base10_digits()),
                 );
                 Ok(self.graph.bool(false))
             }

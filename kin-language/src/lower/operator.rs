@@ -151,7 +151,7 @@ impl Reader {
             (Value::Never, _) | (_, Value::Never) => Value::Never,
             (left @ Value::Adt(_), right) | (left, right @ Value::Adt(_)) => self.operate_own(op, left, right, at)?,
             (left, right) if matches!(op, BinOp::BitXor(_)) && (number(&left) || number(&right)) => {
-                self.mistake(&at.op, "`^` is no power: write `x.powi(2)`, or `x.powf(y)` where the exponent is no whole number")
+                self.mistake(&at.op, "`^` is not a power: write `x.powi(2)`, or `x.powf(y)` for an exponent that is not a whole number")
             }
             (Value::Opaque(a), Value::Opaque(b)) => self.operate_opaque(op, a, b, at)?,
             (Value::Opaque(a), right) => self.operate_beside(op, a, right, false, at)?,
@@ -177,7 +177,7 @@ impl Reader {
             self.mistake(
                 at,
                 format!(
-                    "there is no `{}` between {} and {}",
+                    "`{}` does not apply to {} and {}",
                     op.to_token_stream(),
                     left.name(),
                     right.name()
@@ -344,7 +344,7 @@ impl Reader {
                     )
                 }
                 Value::Integer(k, _) if name == k.to_string() => {
-                    format!("`{k}` is an integer; beside {} write `{k}.0`", other.name())
+                    format!("`{k}` is an integer: beside {} write `{k}.0`", other.name())
                 }
                 Value::Integer(k, _) => crate::error::integer_for_a_number(place, *k),
                 _ => continue,
@@ -353,15 +353,12 @@ impl Reader {
         }
         let cure = match (left, right) {
             (Value::Vector(_), Value::Vector(_)) if matches!(op, BinOp::Mul(_)) => {
-                "; the scalar product is `a.dot(b)`, the vector product `a.cross(b)`"
+                ": write `a.dot(b)` for the scalar product, `a.cross(b)` for the vector product"
             }
-            (Value::Condition(_), _) | (_, Value::Condition(_)) => {
-                "; a condition belongs into `if`"
-            }
+            (Value::Condition(_), _) | (_, Value::Condition(_)) => ": use a condition in an `if`",
             _ => "",
         };
-        let text =
-            format!("there is no `{sign}` between {} and {}{cure}", left.name(), right.name());
+        let text = format!("`{sign}` does not apply to {} and {}{cure}", left.name(), right.name());
         self.mistakes.push(syn::Error::new(at.op.span(), text));
         Value::Poison
     }

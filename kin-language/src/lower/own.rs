@@ -56,7 +56,11 @@ impl Reader {
                 (None, Some((_, known))) if known.len() == names.len() => {
                     nodes.push(known[nodes.len()])
                 }
-                (None, _) => return Ok(self.mistake(literal, format!("`{name}` needs `{wanted}`"))),
+                (None, _) => {
+                    return Ok(
+                        self.mistake(literal, format!("`{name}` needs the field `{wanted}`"))
+                    );
+                }
             }
         }
         Ok(kind.value(nodes))
@@ -80,7 +84,10 @@ impl Reader {
             }
             Some(Value::Poison) | None => {}
             Some(_) => {
-                return Err(Unreadable::new(&literal.dot2_token, "the rest of another value"));
+                return Err(Unreadable::new(
+                    &literal.dot2_token,
+                    "the other fields of a value of another type",
+                ));
             }
         }
         fields.sort_by(|(a, _), (b, _)| a.cmp(b));
@@ -119,19 +126,19 @@ impl Reader {
         let name = &adt.name;
         let (place, text): (&dyn ToTokens, String) = match wrong {
             Some((k, field)) if wanted.contains(&field.as_str()) => {
-                (&literal.fields[k].member, format!("`{field}` is given twice"))
+                (&literal.fields[k].member, format!("your code gives the field `{field}` twice"))
             }
             Some((k, field)) => {
                 let all =
                     wanted.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
                 (
                     &literal.fields[k].member,
-                    format!("`{name}` has no field `{field}`; it has {all}"),
+                    format!("`{name}` has no field `{field}`: the fields are {all}"),
                 )
             }
             None => {
                 let missing = wanted.iter().find(|field| adt.field(field).is_none())?;
-                (&literal.path, format!("`{name}` needs `{missing}`"))
+                (&literal.path, format!("`{name}` needs the field `{missing}`"))
             }
         };
         Some(self.mistake(place, text))
@@ -178,7 +185,7 @@ impl Reader {
     ) -> Read {
         self.calls += 1;
         if self.calls > super::MOST_CALLS {
-            return Err(Unreadable::new(at, "a recursion this deep"));
+            return Err(Unreadable::new(at, "a recursion of this depth"));
         }
         let value = self.apply_inner(item, depth, (arguments, &[]), None, at);
         self.calls -= 1;

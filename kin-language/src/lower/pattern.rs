@@ -104,12 +104,12 @@ impl Reader {
                     .collect()
             }
             Value::Opaque(_) | Value::Generator(_) | Value::Choice(_) => {
-                return Err(Unreadable::new(at, "taking apart a value of unknown type"));
+                return Err(Unreadable::new(at, "a pattern for a value of unknown type"));
             }
             other => {
                 self.mistake(
                     at,
-                    format!("this takes apart {what}, but the value is {}", other.name()),
+                    format!("the pattern takes apart {what}, but the value is {}", other.name()),
                 );
                 return parts.into_iter().try_for_each(|part| self.bind_nothing(part));
             }
@@ -120,7 +120,7 @@ impl Reader {
             self.mistake(
                 at,
                 format!(
-                    "this takes apart {what} of {}, but the value has {}",
+                    "the pattern takes apart {what} of {}, but the value has {}",
                     parts.len(),
                     values.len()
                 ),

@@ -27,12 +27,12 @@ impl Reader {
             && all.is_empty()
             && source.output != Shape::Tuple(vec![])
         {
-            let text = "the body ends without a value: end it with the expression of the equation, without `;`";
+            let text = "the function ends without a value: end the function with the expression of the equation, without `;`";
             match source.body.stmts.last() {
                 Some(last) => self.mistake(last, text),
                 None => self.mistake(
                     &source.output_type,
-                    "the body is empty: it must end with the expression of the equation",
+                    "the function is empty: end the function with the expression of the equation",
                 ),
             };
             return vec![];
@@ -112,7 +112,7 @@ impl Reader {
                 format!("row `{}`", constant.join("`, `"))
             };
             let text = format!(
-                "{which} depends on no coordinate, so Kin cannot solve it: use a body or a `Coord` in it{}",
+                "{which} depends on no coordinate, so Kin cannot use this equation: use a body or a `Coord` in the equation{}",
                 alias_cure(source)
             );
             match place.or(tail) {

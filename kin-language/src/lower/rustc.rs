@@ -13,14 +13,14 @@ use super::{Read, Reader};
 use crate::parse::SecondReader;
 
 /// The message for a variable that only some branches give a value before it is read.
-pub const PERHAPS: &str = "this variable has a value in some branches only: give it one in every branch, or where it is declared";
+pub const PERHAPS: &str = "the variable has a value in some branches only: give the variable a value in every branch or in its declaration";
 
 /// The message for `f64::from(k)` of a wide integer.
 pub const WIDE: &str =
-    "`f64::from` takes an `i32` or a `u32`; convert a wider integer `k` by `k as f64`";
+    "`f64::from` takes an `i32` or a `u32`: convert a wider integer `k` by `k as f64`";
 
 const GOES_ON: &str =
-    "after `else` the function needs a way out: `return`, `break`, `continue` or `panic!`";
+    "the block after `else` must leave the function: `return`, `break`, `continue` or `panic!`";
 
 impl Reader {
     /// Reports a mistake in a text. For a program the function returns `None`, because rustc
@@ -48,7 +48,7 @@ impl Reader {
         let is_first =
             place.steps.is_empty() && matches!(self.store.get(place.slot), Value::Unassigned);
         if is_own && !is_first {
-            let message = format!("`{name}` cannot change: declare it `mut {name}`");
+            let message = format!("`{name}` cannot change: declare `mut {name}`");
             self.told_by_rustc(expression, &message);
         }
     }
@@ -77,7 +77,7 @@ impl Reader {
                 | Value::Left => {}
                 other => {
                     let message =
-                        format!("this must be a condition (bool), but it is {}", other.name());
+                        format!("expected a condition (bool), but found {}", other.name());
                     self.told_by_rustc(call, &message);
                 }
             }
@@ -103,7 +103,7 @@ impl Reader {
         {
             self.told_by_rustc(
                 &branch.expr,
-                "this `match` may have no matching arm: end it with `_ => …`",
+                "this `match` may have no matching arm: add the arm `_ => …`",
             );
         }
     }
@@ -116,7 +116,7 @@ impl Reader {
         let known = if known.is_empty() { "none".to_string() } else { known.join(", ") };
         self.told_by_rustc(
             label,
-            &format!("no loop around this has the label `{label}`; known labels: {known}"),
+            &format!("no enclosing loop has the label `{label}`: the known labels are {known}"),
         )
     }
 
@@ -127,7 +127,7 @@ impl Reader {
             return None;
         }
         let message =
-            format!("a `{ty}` has no method `{method}`; its methods are {}", known.join(", "));
+            format!("a `{ty}` has no method `{method}`: the methods are {}", known.join(", "));
         self.told_by_rustc(method, &message)
     }
 
@@ -141,7 +141,7 @@ impl Reader {
         let known =
             self.known_length(&ty.len).filter(|_| crate::parse::literal_length(&ty.len).is_none());
         let Some(n) = known.filter(|n| *n != all.len()) else { return false };
-        let message = format!("expected an array of {n}, but this is an array of {}", all.len());
+        let message = format!("expected an array of {n}, but found an array of {}", all.len());
         self.told_by_rustc(at, &message).is_some()
     }
 
@@ -162,7 +162,7 @@ impl Reader {
         let known: Vec<String> =
             variants.iter().map(|variant| format!("`{}`", variant.name)).collect();
         let message =
-            format!("`{ty}` has no variant `{name}`: its variants are {}", known.join(", "));
+            format!("`{ty}` has no variant `{name}`: the variants are {}", known.join(", "));
         self.told_by_rustc(name, &message)
     }
 
@@ -203,7 +203,7 @@ impl Reader {
             && length.base10_parse::<i64>().is_ok_and(|length| length != *k)
         {
             let message = format!(
-                "`{name}` is {k}, not {length}, as the attribute says: write `{name} = {k}`"
+                "the attribute states `{name} = {length}`, but `{name}` is {k}: write `{name} = {k}`"
             );
             self.told_by_rustc(&at, &message);
         }

@@ -80,7 +80,7 @@ impl Reader {
         match (shape(ty), named(ty).as_str()) {
             (Some(shape), _) => Ok(self.shaped(value, &shape, at)),
             (None, "bool") => Ok(Value::Condition(self.condition(value, at))),
-            (None, "f32") => Ok(self.mistake(ty, "numbers are `f64`")),
+            (None, "f32") => Ok(self.mistake(ty, "write `f64`: Kin computes with `f64` only")),
             (None, name) if is_integer(name) => self.typed_integer(value, name, at),
             (None, "Vec") => self.typed_list(value, ty, at),
             (None, "Vector2") => Ok(self.shaped(value, &Shape::Vector(2), at)),
@@ -93,7 +93,7 @@ impl Reader {
             {
                 let family = if name == "PlanarState" { "a planar" } else { "a spatial" };
                 let text =
-                    format!("expected the state of {family} body, but this is {}", value.name());
+                    format!("expected the state of {family} body, but found {}", value.name());
                 Ok(self.mistake(at, text))
             }
             (None, "Coord" | "Time") if matches!(value, Value::Scalar(_)) => Ok(value),
@@ -182,7 +182,7 @@ impl Reader {
             },
             value @ (Value::Opaque(_) | Value::Never | Value::Poison) => Ok(value),
             Value::Into(_) => Err(Unreadable::new(at, "a conversion into an integer")),
-            other => Ok(self.mistake(at, format!("expected {name}, but this is {}", other.name()))),
+            other => Ok(self.mistake(at, format!("expected {name}, but found {}", other.name()))),
         }
     }
 

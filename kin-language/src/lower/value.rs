@@ -212,7 +212,7 @@ impl Value {
             Value::Law(_) => "a Law".into(),
             Value::Axis(_) => "an Axis".into(),
             Value::Function(_) => "a function".into(),
-            Value::Opaque(_) => "a value of a type the macro does not know".into(),
+            Value::Opaque(_) => "a value of a type that the macro does not know".into(),
             Value::Adt(adt) => format!("a `{}`", adt.type_name()),
             Value::Choice(all) => all.first().map_or_else(String::new, |(_, value)| value.name()),
             Value::Place(_) => "a reference to a variable".into(),

@@ -35,25 +35,25 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     let dual = find("dual");
     let warn_dual = find("warn_dual");
     if find("lanes").is_some() {
-        return Err(mistake(
-            "sweeps run every readable constraint in lanes already: remove `lanes`",
-        ));
+        return Err(mistake("remove `lanes`: sweeps already compute several cases at once"));
     }
     if [symbolic, dual, warn_dual].iter().flatten().count() != words.len() {
         return Err(mistake(WORDS));
     }
     let choice = match (dual, symbolic) {
         (Some(_), Some(_)) => {
-            return Err(mistake("`symbolic` and `dual` exclude each other: remove one of them"));
+            return Err(mistake(
+                "`symbolic` and `dual` exclude each other: remove `symbolic` or `dual`",
+            ));
         }
         (Some(word), None) => Choice::Dual(word.span()),
         (None, Some(_)) => Choice::Symbolic,
         (None, None) => Choice::Best,
     };
     match (warn_dual, choice) {
-        (Some(_), Choice::Dual(_)) => {
-            Err(mistake("`warn_dual` warns of the route that `dual` requests: remove one of them"))
-        }
+        (Some(_), Choice::Dual(_)) => Err(mistake(
+            "`warn_dual` warns of the route that `dual` requests: remove `warn_dual` or `dual`",
+        )),
         (Some(_), Choice::Symbolic) => {
             Err(mistake("with `symbolic` the dual route is an error: remove `warn_dual`"))
         }

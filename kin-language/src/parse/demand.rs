@@ -31,7 +31,7 @@ fn demand(input: ParseStream, word: &str) -> syn::Result<Demand> {
     let form = |error: syn::Error| {
         syn::Error::new(
             error.span(),
-            format!("write a condition, and a text if it needs one: {}", form_of(word)),
+            format!("write a condition, and a text if you want one: {}", form_of(word)),
         )
     };
     let condition: Expr = input.parse().map_err(form)?;

@@ -31,7 +31,10 @@ pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Mea
         if all.iter().any(|known| known.name == measure.name) {
             mistakes.add(
                 &measure.name,
-                format!("two measures are named `{}`. Rename one of them", measure.name),
+                format!(
+                    "two measures have the name `{}`. Rename one of these measures",
+                    measure.name
+                ),
             );
         }
         all.push(measure);
@@ -40,7 +43,7 @@ pub fn take(attributes: &mut Vec<Attribute>, mistakes: &mut Mistakes) -> Vec<Mea
 }
 
 fn measure(input: ParseStream) -> syn::Result<Measure> {
-    const FORM: &str = "a measure is a name, its value and its unit: `#[measure(slide = h_j.dot(s), \"m\")]`, then `turns` or `ends = (from, to)`";
+    const FORM: &str = "write the name, the value and the unit of the measure: `#[measure(slide = h_j.dot(s), \"m\")]`, then `turns` or `ends = (from, to)`";
     let form = |error: syn::Error| syn::Error::new(error.span(), FORM);
     let name = Ident::parse_any(input).map_err(form)?;
     input.parse::<Token![=]>().map_err(form)?;

@@ -3,12 +3,12 @@
 
 use super::{ConstraintFn, Kind, Role, Shape};
 
-const FIRST: &str = "a force begins with the length or the angle that it acts along: `x: Coord`";
-const SECOND: &str = "after `x` only one argument may follow: its velocity, `rate: Rate`. Move other coordinates into `x`, which may be any constraint of one row";
-const BODY: &str = "a force depends on `x`, its rate and `t`: the bodies belong to `x`, which the constructor takes";
-const VALUE: &str = "a force along x is one number: return an `f64`";
+const FIRST: &str = "the first argument of a force must be the length or angle along which the force acts: `x: Coord`";
+const SECOND: &str = "after `x` only the velocity of `x` may follow, `rate: Rate`. Move other coordinates into `x`, which may be any constraint of one row";
+const BODY: &str = "a force depends only on `x`, the velocity of `x` and `t`. Move the bodies into `x`, which the constructor takes";
+const VALUE: &str = "a force along `x` is one number: return an `f64`";
 
-const RATE: &str = "an equation C(q, t) = 0 has no rates: write `Coord` for a coordinate, and `#[force]` for a force that depends on a rate";
+const RATE: &str = "an equation C(q, t) = 0 has no velocities: write `Coord` for a coordinate, and `#[force]` for a force that depends on a velocity";
 
 /// Checks a signature for the role of its function. An argument that the role does not permit is an
 /// error at its type.

@@ -92,14 +92,14 @@ pub fn kind(ty: &Type) -> syn::Result<Kind> {
         Type::Paren(inner) => kind(&inner.elem),
         Type::Path(path) => named_kind(path),
         Type::Array(array) if last_name(&array.elem).as_deref() == Some("Time") => {
-            Err(syn::Error::new_spanned(ty, "there is only one time: write `Time`"))
+            Err(syn::Error::new_spanned(ty, "a constraint has only one time: write `Time`"))
         }
         Type::Array(array) if is_marker(&array.elem) => kinds(array),
         Type::Reference(reference) if is_static(reference) => Ok(Kind::Other),
         Type::Reference(reference) => Err(reference_mistake(reference)),
         Type::ImplTrait(_) => Err(syn::Error::new_spanned(
             ty,
-            "write the type itself: a parameter is a field of the constraint",
+            "write the name of a type: a parameter is a field of the constraint",
         )),
         _ => Ok(Kind::Other),
     }
@@ -113,7 +113,7 @@ fn kinds(array: &syn::TypeArray) -> syn::Result<Kind> {
     match (literal_length(&array.len), name.as_str()) {
         (Some(0), _) => Err(syn::Error::new_spanned(
             &array.len,
-            format!("an array of no {all} constrains nothing"),
+            format!("an array of length 0 holds no {all}. Give the array a length above 0"),
         )),
         (Some(n), "Planar") => Ok(Kind::Planars(n)),
         (Some(n), "Spatial") => Ok(Kind::Spatials(n)),
@@ -146,30 +146,32 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Time" => Kind::Time,
         "Law" => return Ok(Kind::Law),
         "Axis" => return Ok(Kind::Axis),
-        "f32" => return Err(syn::Error::new_spanned(path, "numbers are `f64`")),
+        "f32" => {
+            return Err(syn::Error::new_spanned(path, "write `f64`: Kin computes with `f64` only"));
+        }
         "PlanarBody" => {
             return Err(syn::Error::new_spanned(
                 path,
-                "inside the function a planar body is its state: write `Planar`",
+                "write `Planar`: inside the function the argument is the state of a planar body",
             ));
         }
         // Without the path, the name may mean a type of the user's program.
         "Link" if path.path.segments.first().is_some_and(|first| first.ident == "kin") => {
             return Err(syn::Error::new_spanned(
                 path,
-                "inside the function a planar body is its state: write `Planar`",
+                "write `Planar`: inside the function the argument is the state of a planar body",
             ));
         }
         "SpatialBody" => {
             return Err(syn::Error::new_spanned(
                 path,
-                "inside the function a spatial body is its state: write `Spatial`",
+                "write `Spatial`: inside the function the argument is the state of a spatial body",
             ));
         }
         "Coordinate" => {
             return Err(syn::Error::new_spanned(
                 path,
-                "inside the function a coordinate is its value: write `Coord`",
+                "write `Coord`: inside the function the argument is the value of a coordinate",
             ));
         }
         "Real" => {
@@ -181,7 +183,7 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         "Self" => {
             return Err(syn::Error::new_spanned(
                 path,
-                "there is no `Self` here: write the type itself",
+                "write the name of the type instead of `Self`",
             ));
         }
         _ => return Ok(Kind::Other),
@@ -190,14 +192,14 @@ fn named_kind(path: &syn::TypePath) -> syn::Result<Kind> {
         true => Ok(kind),
         false => Err(syn::Error::new_spanned(
             &last.arguments,
-            format!("`{}` takes no type arguments here", last.ident),
+            format!("remove the type arguments of `{}`", last.ident),
         )),
     }
 }
 
 fn reference_mistake(reference: &syn::TypeReference) -> syn::Error {
     let text = match is_marker(&reference.elem) {
-        true => format!("write `{}`: the state is a value and needs no borrow", last_name(&reference.elem).unwrap_or_default()),
+        true => format!("write `{}` without `&`: the state is a value", last_name(&reference.elem).unwrap_or_default()),
         false => {
             "the constraint owns its parameters: write the type without `&` (`[f64; N]`, `Vec<f64>`, `String`), or `&'static` \
              for static data"

@@ -293,7 +293,9 @@ impl<'a> Frame<'a> {
 /// That constants beside the function are what the attribute says of them.
 fn lengths(source: &ConstraintFn) -> TokenStream {
     let checks = source.lengths.iter().map(|(name, length)| {
-        let text = format!("`{name}` is not {length}, as `#[constraint({name} = {length})]` says");
+        let text = format!(
+            "`#[constraint({name} = {length})]` is wrong, because `{name}` is not {length}"
+        );
         quote_spanned!(name.span()=> const _: () = ::kin::emitted::held(#name == #length, #text);)
     });
     let handles = source
@@ -305,7 +307,8 @@ fn lengths(source: &ConstraintFn) -> TokenStream {
 }
 
 fn own(ty: &syn::Type) -> TokenStream {
-    let text = "inside the function a body is its state: write `Planar` or `Spatial`";
+    let text =
+        "write `Planar` or `Spatial`: inside the function the argument is the state of a body";
     let held = quote!(::kin::emitted::held(::kin::emitted::Named::<#ty>::IS_OWN, #text));
     quote_spanned!(syn::spanned::Spanned::span(ty)=> const _: () = { use ::kin::emitted::Own as _; #held };)
 }

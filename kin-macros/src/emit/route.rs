@@ -65,7 +65,7 @@ impl DualReason<'_> {
             std::env::var(CRATE_WIDE).is_ok_and(|value| !matches!(value.as_str(), "" | "0"));
         let warning = (asked || everywhere).then(|| {
             let note = format!(
-                "{what} cannot be read by the compiler, so `{constraint}` is differentiated by dual numbers"
+                "Kin cannot read {what}, so Kin differentiates `{constraint}` by dual numbers"
             );
             let name = Ident::new("dual_route", *span);
             quote! {

@@ -77,7 +77,8 @@ fn far_too_deep_and_long_ones_are_refused() {
         for body in deep_and_long(n) {
             let message = message(&on_rustcs_stack(body.clone()));
             assert!(
-                message.is_some_and(|text| text.contains("name parts of it with `let`")),
+                message
+                    .is_some_and(|text| text.contains("name parts of the expression with `let`")),
                 "{}",
                 &body[..40]
             );

@@ -106,7 +106,7 @@ pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<Str
         {
             if bounds.len() > found.order + 1 {
                 let what = format!(
-                    "over the break at x = {}, where derivative {} jumps, {} coefficients are claimed to be known",
+                    "the law states {2} coefficients over the break at x = {0}, where derivative {1} jumps",
                     found.x,
                     found.order,
                     bounds.len()

@@ -17,7 +17,11 @@ pub struct LawMismatch {
 
 impl fmt::Display for LawMismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the law `{}` does not agree with itself:", self.kind)?;
+        write!(
+            f,
+            "the values, derivatives and breaks of the law `{}` contradict each other:",
+            self.kind
+        )?;
         self.lines.iter().try_for_each(|line| write!(f, "\n  {line}"))
     }
 }
@@ -166,7 +170,7 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
     }
     if order <= 3 && !jump(order, &before, &after) {
         return Some(format!(
-            "break at x = {x} of order {order}, but that derivative does not jump there: {:e}",
+            "break at x = {x} of order {order}, but derivative {order} does not jump there: {:e}",
             at[order]
         ));
     }
@@ -176,7 +180,7 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
         return None;
     }
     Some(format!(
-        "at the break x = {x} derivative {left} is {:e}, not that of the right side, {:e}",
+        "at the break x = {x} derivative {left} is {:e}, but it is {:e} on the right side",
         at[left], after[left]
     ))
 }

@@ -67,7 +67,7 @@ pub(super) fn place(
 }
 
 fn nowhere(t: f64) -> Error {
-    Error::InvalidTimes { reason: format!("nothing is finite at t = {t}") }
+    Error::InvalidTimes { reason: format!("the equations have no finite value at t = {t}") }
 }
 
 impl Search<'_> {

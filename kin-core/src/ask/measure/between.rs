@@ -88,14 +88,14 @@ pub(super) fn step_of(times: &[f64], t: f64) -> Option<usize> {
 fn outside(motion: &Motion, t: f64) -> Error {
     let s = motion.unit_words().time();
     let reason = match motion.times() {
-        [] => format!("t = {t} {s} is outside of a motion without times"),
+        [] => format!("the motion has no times, so Kin cannot evaluate it at t = {t} {s}"),
         [first, .., last] => {
             format!(
                 "t = {t} {s} is outside of the motion, which goes from {first} {s} to {last} {s}"
             )
         }
         [only] => {
-            format!("t = {t} {s} is outside of the motion, which has the time {only} {s} alone")
+            format!("t = {t} {s} is outside of the motion, which has only the time {only} {s}")
         }
     };
     Error::InvalidTimes { reason }

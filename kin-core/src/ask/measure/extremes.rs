@@ -196,7 +196,7 @@ impl Extremes {
         let word = if is_max { "maximum" } else { "minimum" };
         let s = &self.time_unit;
         let reason = format!(
-            "it has no {word} at t = {t} {s}. The nearest one is at t = {} {s}; take an extreme from `system.extremes`",
+            "the measure has no {word} at t = {t} {s}. The nearest {word} is at t = {} {s}. Choose an extreme that `system.extremes` returns",
             nearest.t
         );
         Err(Error::InvalidConstraint {

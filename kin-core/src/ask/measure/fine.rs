@@ -48,7 +48,7 @@ const SHORTEST: f64 = 1e-7;
 
 /// The largest number of added times.
 const MOST: usize = 100_000;
-const TOO_MANY: &str = "between two times of the motion Kin would need more than a hundred thousand additional times. Give times that are closer together";
+const TOO_MANY: &str = "between two times of the motion Kin would need more than 100 000 additional times. Give times that are closer together";
 
 /// A motion with enough additional times to show everything between its times.
 pub(super) struct Fine {

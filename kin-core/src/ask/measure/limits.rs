@@ -71,7 +71,7 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
                 limit,
                 start,
                 format!(
-                    "`{name}` starts at {} {unit}, beyond its {side} limit, {shown} {unit}",
+                    "`{name}` starts at {} {unit}, beyond the {side} limit, {shown} {unit}",
                     time(first)
                 ),
             ));
@@ -84,7 +84,7 @@ fn events(system: &System, motion: &Motion, limit: &Limit) -> Result<Vec<Event>>
             let forwards = motion.times().last().is_none_or(|last| *last >= start);
             let leaves = (rises == forwards) == (side == "upper");
             let way = if leaves { "passes" } else { "returns from beyond" };
-            all.push(event(limit, t, format!("`{name}` {way} its {side} limit, {shown} {unit}")));
+            all.push(event(limit, t, format!("`{name}` {way} the {side} limit, {shown} {unit}")));
         }
     }
     Ok(all)

@@ -16,7 +16,11 @@ impl System {
         match motion.names() == self.coordinate_names() {
             true => Ok(()),
             false => Err(Error::WrongLength {
-                what: format!("a motion of \"{}\", not of \"{}\"", motion.name(), self.name()),
+                what: format!(
+                    "a position of the motion of \"{}\", which does not belong to \"{}\",",
+                    motion.name(),
+                    self.name()
+                ),
                 expected,
                 found,
             }),

@@ -231,12 +231,12 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
         if formula.rows.len() == facts.rows.len() {
             equation::opaque(formula, outside)
         } else {
-            Some("its equation has too many operations".to_string())
+            Some("the equation has too many operations".to_string())
         }
     });
     known.unwrap_or_else(|| {
         Some(format!(
-            "it takes the {} route, but Kin has bounds over an interval on the symbolic route only",
+            "the constraint takes the {} route, but Kin has bounds over an interval on the symbolic route only",
             facts.route()
         ))
     })

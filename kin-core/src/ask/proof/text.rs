@@ -56,7 +56,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let alone = least(&tubes);
         write!(
             f,
-            "\n  It is within {radius} of the interpolated positions, and no other motion comes within {alone} of it."
+            "\n  The proved motion is within {radius} of the interpolated positions. No other motion comes within {alone} of the proved motion."
         )?;
     }
     if !positions.is_empty() {
@@ -129,18 +129,17 @@ impl fmt::Display for Unproved {
             UnprovedReason::Singular { coordinate } => {
                 write!(
                     f,
-                    "near t = {t} {s} the pose may be singular, and `{coordinate}` can move most easily there."
+                    "near t = {t} {s} the pose may be singular, and `{coordinate}` can move most easily at this pose."
                 )
             }
             UnprovedReason::Apart { equation, by } => write!(
                 f,
-                "near t = {t} {s} the interpolated positions violate `{equation}` by {by:.1e}: both ends may be on different branches, or the step is too \
-                 large."
+                "near t = {t} {s} the interpolated positions violate `{equation}` by {by:.1e}: the ends of the step may be on different branches, or the step is too large."
             ),
             UnprovedReason::Unbounded { equation, expression, source } => {
                 write!(f, "near t = {t} {s} Kin knows no bounds of `{equation}`")?;
                 if let Some(expression) = expression {
-                    write!(f, ": `{expression}` jumps there, or has no value or slope")?;
+                    write!(f, ": `{expression}` jumps near this time, or has no value or slope")?;
                 }
                 source.map_or(Ok(()), |source| write!(f, " ({source})"))?;
                 f.write_str(".")
@@ -194,7 +193,7 @@ mod tests {
                 &["`lift` in `cam`"]
             ),
             "crank: all 2 steps are proved. From t = 0 s to 2 s exactly one continuous motion passes through the computed positions.\n  \
-             It is within 5.0e-7 m and 3.0e-8 rad of the interpolated positions, and no other motion comes within 2.4e-6 m and 4.9e-6 rad of it.\n  \
+             The proved motion is within 5.0e-7 m and 3.0e-8 rad of the interpolated positions. No other motion comes within 2.4e-6 m and 4.9e-6 rad of the proved motion.\n  \
              The computed positions deviate by at most 3.0e-15 m and 2.0e-15 rad.\n  This proof relies on the bounds of `lift` in `cam`."
         );
         let single = proof_of(vec![Ok(one.clone())], vec![], &[]);
@@ -211,10 +210,13 @@ mod tests {
             vec![Ok(position.clone()); 3],
             &[],
         );
-        assert!(failed.starts_with("crank: 1 of 2 steps proved.\n  It is within"), "{failed}");
+        assert!(
+            failed.starts_with("crank: 1 of 2 steps proved.\n  The proved motion is within"),
+            "{failed}"
+        );
         assert!(
             failed.ends_with(
-                "The first step without proof is step 2, from t = 1 s to 2 s: near t = 1.5 s the pose may be singular, and `x` can move most easily there."
+                "The first step without proof is step 2, from t = 1 s to 2 s: near t = 1.5 s the pose may be singular, and `x` can move most easily at this pose."
             ),
             "{failed}"
         );
@@ -234,7 +236,7 @@ mod tests {
         );
         assert!(
             alone.contains("\n  near t = 0 s the interpolated positions violate `rod` by 1.0e-1:")
-                && !alone.contains("It is within"),
+                && !alone.contains("The proved motion is within"),
             "{alone}"
         );
     }
@@ -254,7 +256,7 @@ mod tests {
         assert_eq!(
             unbounded(Some("x.floor()"), Some(source)),
             format!(
-                "near t = 0.5 s Kin knows no bounds of `cam`: `x.floor()` jumps there, or has no value or slope ({source})."
+                "near t = 0.5 s Kin knows no bounds of `cam`: `x.floor()` jumps near this time, or has no value or slope ({source})."
             )
         );
     }

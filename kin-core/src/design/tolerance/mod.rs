@@ -191,7 +191,7 @@ impl System {
         if dimensions.is_empty() {
             let call = Surface::chosen().tolerance();
             let reason = format!(
-                "none of them has a tolerance and moves anything. Give a tolerance by {call}"
+                "no dimension that moves the mechanism has a tolerance. Give a tolerance by {call}"
             );
             return Err(DimensionError::invalid(DimensionError::ALL, reason));
         }

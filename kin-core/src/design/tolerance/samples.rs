@@ -72,7 +72,10 @@ impl System {
         sampling: &Sampling,
     ) -> Result<Samples> {
         if !(1..=MOST).contains(&sampling.count) {
-            let reason = format!("{} samples: choose 1 to {MOST}", sampling.count);
+            let reason = format!(
+                "the number of samples is {}. Give a number from 1 to {MOST}",
+                sampling.count
+            );
             return Err(Error::InvalidOptions { reason });
         }
         let (sources, names) = self.sources_of_error(Some(sampling.distribution))?;
@@ -324,7 +327,7 @@ impl fmt::Display for Samples {
         let share = 100.0 * self.share_missing();
         match missing {
             0 => write!(f, "\n  All samples can be assembled."),
-            _ => write!(f, "\n  {missing} samples, {} %, cannot be assembled.", digits(share, 2)),
+            _ => write!(f, "\n  {missing} samples ({} %) cannot be assembled.", digits(share, 2)),
         }
     }
 }

@@ -126,7 +126,10 @@ impl Tolerance {
         };
         let mut all: Vec<String> = place.iter().take(NAMED).map(told).collect();
         if place.len() > NAMED {
-            all.push(format!("{} more are off by their tolerances", place.len() - NAMED));
+            all.push(format!(
+                "{} more dimensions are off by their tolerances",
+                place.len() - NAMED
+            ));
         }
         all.join(", ")
     }
@@ -138,8 +141,13 @@ impl Tolerance {
         let [low, high] = [low, high].map(|value| digits(value - self.nominal, 2));
         write!(f, "\n  At the worst places the deviation is {low} and +{high}: ")?;
         match self.misled().filter(|misled| *misled < VANISHING) {
-            Some(misled) => write!(f, "the linear stack misses this by {:.0} %.", 100.0 * misled),
-            None => write!(f, "the slopes vanish here, so the linear stack has no meaning."),
+            Some(misled) => {
+                write!(f, "the larger deviation is {:.0} % above the linear stack.", 100.0 * misled)
+            }
+            None => write!(
+                f,
+                "the slopes are zero at the nominal dimensions, so the linear stack has no meaning."
+            ),
         }
     }
 
@@ -159,7 +167,7 @@ impl Tolerance {
         write!(f, " and {inside} places inside")?;
         match all_corners {
             true => write!(f, "."),
-            false => write!(f, ". A corner that Kin left out may be worse."),
+            false => write!(f, ". Corners that Kin did not check may be worse."),
         }
     }
 }

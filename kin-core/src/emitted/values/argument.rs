@@ -12,7 +12,7 @@ use super::{Constants, Lift};
 
 /// A plain value as what the user's function asks for: as it is, or as `Real<f64>`.
 #[diagnostic::on_unimplemented(
-    message = "this function takes `{T}`, but is given `{Self}`",
+    message = "this function takes `{T}`, but the argument has the type `{Self}`",
     label = "is of type `{Self}`"
 )]
 pub trait IntoPlain<T> {
@@ -30,7 +30,7 @@ pub trait IntoConstant<T> {
 /// A value that carries derivatives as what the user's function asks for: it must ask for dual
 /// numbers.
 #[diagnostic::on_unimplemented(
-    message = "this function takes f64 only, so its derivative is not known",
+    message = "this function takes f64 only, so Kin does not know its derivative",
     label = "depends on coordinates or time",
     note = "make the function generic, `fn f<D: Dual>(x: Real<D>) -> Real<D>`, or pass a `Law` and call `law.at(x)`"
 )]
@@ -42,9 +42,9 @@ pub trait IntoJet<T> {
 /// A value that carries derivatives as what a field of the user's struct asks for: it must ask for
 /// dual numbers.
 #[diagnostic::on_unimplemented(
-    message = "this field holds f64 only, so the derivative of its value would be lost",
+    message = "this field holds f64 only, so Kin would lose the derivative of the value",
     label = "depends on coordinates or time",
-    note = "keep such numbers in variables, a tuple or an array, or make the type generic and say so: `struct S<T> {{ x: T }}`, `let s: S<f64> = S {{ x }}`"
+    note = "keep numbers that depend on coordinates or time in variables, a tuple or an array, or make the type generic: `struct S<T> {{ x: T }}`, `let s: S<f64> = S {{ x }}`"
 )]
 pub trait IntoField<T> {
     /// The converted value.
@@ -62,7 +62,7 @@ impl<S: IntoJet<T>, T> IntoField<T> for S {
 /// user's function asks for.
 #[diagnostic::on_unimplemented(
     message = "this function takes `{T}`, but the argument has another type",
-    label = "is no `{T}`"
+    label = "not a `{T}`"
 )]
 pub trait IntoReference<T> {
     /// The reference.

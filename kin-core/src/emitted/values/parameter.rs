@@ -5,7 +5,7 @@
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be a parameter of a constraint",
     label = "not a parameter",
-    note = "a parameter is owned and `Clone + Send + Sync`; Kin reads types by name, so write `Planar`, `Spatial`, `Coord` or `Time` and no alias of them"
+    note = "give an owned parameter that is `Clone + Send + Sync`; Kin reads types by name, so write `Planar`, `Spatial`, `Coord` or `Time` and no alias of these types"
 )]
 pub trait Parameter: Clone + Send + Sync + 'static {}
 

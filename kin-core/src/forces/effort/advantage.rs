@@ -96,7 +96,7 @@ impl System {
             1 => Ok(block),
             rows => Err(refused(
                 drive,
-                format!("it drives {rows} numbers at once, so its input is ambiguous"),
+                format!("the driver drives {rows} numbers at once, so its input is ambiguous"),
             )),
         }
     }
@@ -122,8 +122,7 @@ impl System {
         let solved = c_q.clone().svd(true, true).solve(&rhs, LEFT);
         let shares = solved.map_err(|reason| refused(drive, reason.to_string()))?;
         if (c_q * &shares - &rhs).amax() > LEFT * rhs.amax() {
-            let reason =
-                "redundant equations do not let it move alone: other drives move the same parts";
+            let reason = "the driver cannot move alone, because other drivers and redundant equations hold the same parts";
             return Err(refused(drive, reason.to_string()));
         }
         Ok(shares.iter().zip(&measures.sizes).map(|(share, size)| share * size).collect())

@@ -13,10 +13,10 @@ use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
 use crate::system::System;
 
 const CLOSURE: &str =
-    "its force is a closure, which Kin cannot read. Write the force as a function";
+    "the force is a closure, which Kin cannot read. Write the force as a function";
 
 const MEASURE: &str =
-    "it acts along a measure of a joint, which Kin evaluates one time after the other";
+    "the load acts along a measure of a joint, which Kin evaluates at one time after the other";
 
 /// The generalised forces, energies and powers as nodes of the whole program.
 pub(super) struct Acts<'w> {

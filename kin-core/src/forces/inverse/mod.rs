@@ -28,7 +28,8 @@ use acting::Acts;
 /// The number of times from which compiling saves more than it costs.
 const LEAST: usize = 50;
 
-const RUBS: &str = "friction and the force that it comes from are solved together at each time";
+const RUBS: &str =
+    "Kin solves friction and the force that causes the friction together at each time";
 const SINGULAR: &str = "the first position is singular";
 
 /// Returns true if a motion has enough times for a tape.

@@ -94,7 +94,7 @@ pub fn torsion_spring(
 ///
 /// Signs: the bushing pulls P_i back to P_j and turns i back.
 #[potential]
-#[require(p_j.norm() > 0.0, "Euler parameters are not all zero")]
+#[require(p_j.norm() > 0.0, "at least one Euler parameter must differ from zero")]
 pub fn bushing(
     i: Spatial,
     j: Spatial,

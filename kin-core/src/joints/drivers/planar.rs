@@ -47,7 +47,7 @@ pub fn drive_relative_angle(i: Planar, j: Planar, law: Law, t: Time) -> f64 {
 ///
 /// Signs: the displacement grows as P_i moves along h_j in j.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the slide needs a direction with a length above zero")]
+#[require(h_j.norm() > 0.0, "the direction of the slide must not be zero")]
 pub fn drive_slide(
     i: Planar,
     j: Planar,
@@ -92,7 +92,7 @@ pub fn drive_point(body: Planar, u: Vec2, path_x: Law, path_y: Law, t: Time) -> 
 ///
 /// Signs: the coordinate grows along `n`, from the global origin.
 #[constraint]
-#[require(n.norm() > 0.0, "the direction needs a length above zero")]
+#[require(n.norm() > 0.0, "the direction must not be zero")]
 pub fn drive_point_along(body: Planar, u: Vec2, n: Vec2, law: Law, t: Time) -> f64 {
     n.normalize().dot(body.point(u)) - law.at(t)
 }

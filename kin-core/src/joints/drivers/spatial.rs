@@ -15,7 +15,7 @@ use kin_macros::constraint;
 /// Signs: the angle is the rotation of i relative to j, right-handed about h_j. It is zero where
 /// f_i lies along f_j.
 #[constraint]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 pub fn drive_turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, law: Law, t: Time) -> f64 {
     let f = i.direction(h_i.f);
     let x = f.dot(j.direction(h_j.f));
@@ -132,7 +132,7 @@ pub fn drive_orientation(i: Spatial, j: Spatial, yaw: Law, pitch: Law, roll: Law
 /// Signs: x, y and z grow along the axes of the frame in j. Each rotation is right-handed about its
 /// axis. At zero the axes of both frames are parallel.
 #[constraint]
-#[require(p_i.norm() > 0.0 && p_j.norm() > 0.0, "Euler parameters are not all zero")]
+#[require(p_i.norm() > 0.0 && p_j.norm() > 0.0, "at least one Euler parameter must differ from zero")]
 pub fn drive_motion(
     i: Spatial,
     j: Spatial,

@@ -16,7 +16,7 @@ use kin_macros::constraint;
 /// Signs: relative to the arm the wheels turn in opposite directions. All angles are
 /// counter-clockwise positive.
 #[constraint]
-#[require(r_i > 0.0 && r_j > 0.0, "pitch radii are above zero")]
+#[require(r_i > 0.0 && r_j > 0.0, "the pitch radii must be above zero")]
 pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) + r_j * (j.theta - arm.theta)
 }
@@ -31,7 +31,7 @@ pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -
 /// Signs: relative to the arm the wheel and the ring turn in the same direction. All angles are
 /// counter-clockwise positive.
 #[constraint]
-#[require(r_i > 0.0 && r_j > r_i, "the ring's pitch radius is above the wheel's, and both are above zero")]
+#[require(r_i > 0.0 && r_j > r_i, "the pitch radius of the ring must be above that of the wheel, and both must be above zero")]
 pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) - r_j * (j.theta - arm.theta)
 }
@@ -46,7 +46,7 @@ pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phas
 /// Signs: relative to the frame an open belt turns both pulleys in the same direction, a crossed
 /// belt in opposite directions. All angles are counter-clockwise positive.
 #[constraint]
-#[require(r_i != 0.0 && r_j != 0.0, "a pulley needs a radius")]
+#[require(r_i != 0.0 && r_j != 0.0, "the radius of a pulley must not be zero")]
 pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - frame.theta - phase) - r_j * (j.theta - frame.theta)
 }
@@ -64,8 +64,8 @@ pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64)
 /// pinion moves along h_j in the rack, it turns clockwise. A pinion that turns counter-clockwise in
 /// place moves the rack along h_j. The angle is counter-clockwise positive.
 #[constraint]
-#[require(radius != 0.0, "a pinion needs a radius")]
-#[require(h_j.norm() > 0.0, "the rack needs a direction with a length above zero")]
+#[require(radius != 0.0, "the radius of the pinion must not be zero")]
+#[require(h_j.norm() > 0.0, "the direction of the rack must not be zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn rack_and_pinion(
@@ -94,8 +94,8 @@ pub fn rack_and_pinion(
 /// Signs: the wheel is to the left of h_j. When the wheel moves along h_j, it turns clockwise. The
 /// angle is counter-clockwise positive.
 #[constraint]
-#[require(radius > 0.0, "a wheel needs a radius above zero")]
-#[require(h_j.norm() > 0.0, "the track needs a direction with a length above zero")]
+#[require(radius > 0.0, "the radius of the wheel must be above zero")]
+#[require(h_j.norm() > 0.0, "the direction of the track must not be zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn rolling(
@@ -122,7 +122,7 @@ pub fn rolling(
 ///
 /// Signs: those of the coordinates. With k_a = k_b the coordinates move in opposite directions.
 #[constraint]
-#[require(k_a != 0.0 && k_b != 0.0, "a factor of zero couples nothing")]
+#[require(k_a != 0.0 && k_b != 0.0, "the factors must not be zero")]
 pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
     k_a * a + k_b * b - c
 }
@@ -142,7 +142,7 @@ pub fn linear_coupling<const N: usize>(
     const {
         assert!(
             2 <= N && N <= TERMS,
-            "`linear_coupling` takes two to six coordinates: add a coordinate for the sum of some of them"
+            "`linear_coupling` takes two to six coordinates: add a coordinate for the sum of some of these coordinates"
         )
     };
     let mut given = q.into_iter().map(Into::into);

@@ -33,7 +33,7 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 /// Signs: φ is counter-clockwise positive from the x-axis of the cam. When the cam turns
 /// counter-clockwise under a tip at rest, φ falls. The row is positive outside the cam.
 #[constraint]
-#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
+#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle and must repeat after 2π; make the law `periodic` with this period")]
 #[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
 pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) -> f64 {
     let s = cam.local(follower.point(tip));
@@ -53,8 +53,8 @@ pub fn cam_knife_edge(cam: Planar, follower: Planar, tip: Vec2, profile: Law) ->
 /// Signs: ψ is counter-clockwise positive from the x-axis of the cam. The row is positive where a
 /// gap separates the face from the cam.
 #[constraint]
-#[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
-#[require(n.norm() > 0.0, "the normal of the face needs a length above zero")]
+#[require(support.is_periodic(TAU), "the profile of a cam is a law of an angle and must repeat after 2π; make the law `periodic` with this period")]
+#[require(n.norm() > 0.0, "the normal of the face must not be zero")]
 pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: Law) -> f64 {
     let normal = n.normalize();
     let psi = follower.theta - cam.theta + normal.y.atan2(normal.x);
@@ -74,8 +74,8 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 /// Signs: φ is counter-clockwise positive from the x-axis of the cam. n points out of the cam,
 /// towards the roller.
 #[constraint]
-#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle: it has to repeat after 2π; make it `periodic` with that period")]
-#[require(radius >= 0.0, "the radius of a roller cannot be below zero")]
+#[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle and must repeat after 2π; make the law `periodic` with this period")]
+#[require(radius >= 0.0, "the radius of the roller must not be below zero")]
 pub fn cam_roller(
     cam: Planar,
     follower: Planar,

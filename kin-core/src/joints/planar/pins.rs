@@ -55,7 +55,7 @@ pub fn weld(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, theta0: f64) -> (Vec2, f
 ///
 /// Signs: none; the rod may point in any direction.
 #[constraint]
-#[require(length > 0.0, "a rod needs a length above zero; pins that coincide are `revolute`")]
+#[require(length > 0.0, "the length of the rod must be above zero; for pins at the same point use `revolute`")]
 pub fn distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: f64) -> f64 {
     let d = i.point(u_i) - j.point(u_j);
     0.5 * (d.norm_squared() / length - length)
@@ -81,8 +81,8 @@ pub fn angle(i: Planar, j: Planar, theta0: f64) -> f64 {
 /// Signs: h_i and h_j point in the same direction. The row is positive where h_j is
 /// counter-clockwise of h_i.
 #[constraint]
-#[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "a direction needs a length above zero")]
-#[branch(i.direction(h_i).dot(j.direction(h_j)) > 0.0, "its directions are opposite: h_i · h_j < 0")]
+#[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "the directions must not be zero")]
+#[branch(i.direction(h_i).dot(j.direction(h_j)) > 0.0, "the directions are opposite: h_i · h_j < 0")]
 pub fn parallel(i: Planar, j: Planar, h_i: Vec2, h_j: Vec2) -> f64 {
     i.direction(h_i).cross(j.direction(h_j))
 }

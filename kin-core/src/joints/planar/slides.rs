@@ -15,7 +15,7 @@ use kin_macros::constraint;
 /// slide grows along the x-axis of body i. `theta0` is the rotation of i relative to j,
 /// counter-clockwise positive.
 #[constraint]
-#[require(h_i.norm() > 0.0, "the direction across the slide needs a length above zero")]
+#[require(h_i.norm() > 0.0, "the direction across the slide must not be zero")]
 #[measure(slide = -(i.direction(h_i).perp().dot(i.point(u_i) - j.point(u_j))) / h_i.norm(), "m")]
 pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: f64) -> (f64, f64) {
     let turn = i.theta - j.theta - theta0;
@@ -34,7 +34,7 @@ pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: 
 /// Signs: the slide grows along h_j. The row is positive to the left of h_j. The angle is the
 /// rotation of i relative to j, counter-clockwise positive.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the line needs a direction with a length above zero")]
+#[require(h_j.norm() > 0.0, "the direction of the line must not be zero")]
 #[measure(slide = h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm(), "m")]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn point_on_line(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f64 {
@@ -53,7 +53,7 @@ pub fn point_on_line(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f
 /// Signs: the slide grows from A towards B. The row is positive to the left of that direction. The
 /// angle is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
-#[require((b_j - a_j).norm() > 0.0, "the ends of the slot coincide")]
+#[require((b_j - a_j).norm() > 0.0, "the ends of the slot must be different points")]
 #[measure(slide = (b_j - a_j).dot(j.local(i.point(u_i)) - a_j) / (b_j - a_j).norm(), "m", ends = (0.0, (b_j - a_j).norm()))]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn pin_in_slot(i: Planar, j: Planar, u_i: Vec2, a_j: Vec2, b_j: Vec2) -> f64 {
@@ -71,7 +71,7 @@ pub fn pin_in_slot(i: Planar, j: Planar, u_i: Vec2, a_j: Vec2, b_j: Vec2) -> f64
 /// Signs: the angle is counter-clockwise positive from the x-axis of body j. The row is positive
 /// outside the circle.
 #[constraint]
-#[require(radius > 0.0, "a circle needs a radius above zero")]
+#[require(radius > 0.0, "the radius of the circle must be above zero")]
 #[measure(angle = (j.local(i.point(u_i)) - c_j).y.atan2((j.local(i.point(u_i)) - c_j).x), "rad", turns)]
 pub fn point_on_circle(i: Planar, j: Planar, u_i: Vec2, c_j: Vec2, radius: f64) -> f64 {
     let s = i.point(u_i) - j.point(c_j);

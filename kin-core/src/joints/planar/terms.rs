@@ -14,7 +14,7 @@ pub(super) const TERMS: usize = 6;
 ///
 /// Signs: those of the coordinates.
 #[constraint]
-#[require(k.iter().any(|k| *k != 0.0), "factors of zero couple nothing")]
+#[require(k.iter().any(|k| *k != 0.0), "at least one factor must differ from zero")]
 pub fn linear_coupling(q: [Coord; 6], k: [f64; 6], c: f64) -> f64 {
     let mut sum = -c;
     for n in 0..6 {

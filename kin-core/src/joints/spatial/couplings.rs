@@ -18,7 +18,7 @@ use kin_macros::constraint;
 /// Signs: φ is the rotation of i relative to j, right-handed about h_j. It is zero where f_i lies
 /// along f_j.
 #[constraint]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 pub fn relative_angle(i: Spatial, j: Spatial, phi: Coord, h_i: Axis, h_j: Axis) -> f64 {
     let f = i.direction(h_i.f);
     let x = f.dot(j.direction(h_j.f));
@@ -43,7 +43,7 @@ pub fn relative_angle(i: Spatial, j: Spatial, phi: Coord, h_i: Axis, h_j: Axis) 
 #[constraint]
 #[require(
     teeth_i != 0.0 && teeth_j != 0.0 && teeth_i.fract() == 0.0 && teeth_j.fract() == 0.0,
-    "numbers of teeth are whole numbers, and not zero"
+    "the numbers of teeth must be whole numbers other than zero"
 )]
 pub fn gear(
     i: Spatial,
@@ -77,8 +77,8 @@ pub fn gear(
 /// Signs: the pinion is on the side of g_j = h_j × f_j; with a negative radius it is on the other
 /// side. When the pinion moves along f_j, it turns clockwise about h_j.
 #[constraint]
-#[require(radius != 0.0, "a pinion needs a radius")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[require(radius != 0.0, "the radius of the pinion must not be zero")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 pub fn rack_and_pinion(
     i: Spatial,
     j: Spatial,
@@ -113,7 +113,7 @@ pub fn rack_and_pinion(
 /// point out of the frame (or from the apex of bevel gears), the wheels turn in opposite
 /// directions.
 #[constraint]
-#[require(r_i != 0.0 && r_j != 0.0, "a wheel needs a pitch radius")]
+#[require(r_i != 0.0 && r_j != 0.0, "the pitch radii of the wheels must not be zero")]
 pub fn gear_by_radii(
     i: Spatial,
     j: Spatial,
@@ -154,8 +154,8 @@ pub fn gear_by_radii(
 /// Signs: φ is the rotation of i relative to j, right-handed about h_j. The displacement is that of
 /// i along h_j in j. `lead` is positive for a right-hand thread.
 #[constraint]
-#[require(lead != 0.0, "a thread needs a lead")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[require(lead != 0.0, "the lead of the thread must not be zero")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 pub fn thread(
     i: Spatial,
     j: Spatial,

@@ -11,8 +11,8 @@ use kin_macros::constraint;
 ///
 /// Signs: h_i and h_j point in the same direction.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[require(h_j.norm() > 0.0, "the axis in body j must not be zero")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 pub fn parallel(i: Spatial, j: Spatial, h_i: Axis, h_j: Vec3) -> (f64, f64) {
     let h = j.direction(h_j);
     let f = i.direction(h_i.f).dot(h);
@@ -27,7 +27,7 @@ pub fn parallel(i: Spatial, j: Spatial, h_i: Axis, h_j: Vec3) -> (f64, f64) {
 ///
 /// Signs: the row is positive where the angle between h_i and h_j is less than 90°.
 #[constraint]
-#[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "a direction needs a length above zero")]
+#[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "the directions must not be zero")]
 pub fn perpendicular(i: Spatial, j: Spatial, h_i: Vec3, h_j: Vec3) -> f64 {
     i.direction(h_i).dot(j.direction(h_j))
 }
@@ -42,7 +42,7 @@ pub fn perpendicular(i: Spatial, j: Spatial, h_i: Vec3, h_j: Vec3) -> f64 {
 /// Signs: the angle has no sign, so h_i can be anywhere on a cone about h_j. The row is positive
 /// where the angle is less than α.
 #[constraint]
-#[require(alpha > 0.0 && alpha < std::f64::consts::PI, "the angle is between 0 and π; for these themselves use `parallel`")]
+#[require(alpha > 0.0 && alpha < std::f64::consts::PI, "the angle must be above 0 and below π; for the angles 0 and π use `parallel`")]
 pub fn angle(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis, alpha: f64) -> f64 {
     i.direction(h_i.h).dot(j.direction(h_j.h)) - alpha.cos()
 }

@@ -13,8 +13,8 @@ use kin_macros::constraint;
 ///
 /// Signs: the first row is positive where the ball is on the side to which h_i points.
 #[constraint]
-#[require(length > 0.0, "a link needs a length above zero")]
-#[require(h_i.norm() > 0.0, "the hinge needs an axis with a length above zero")]
+#[require(length > 0.0, "the length of the link must be above zero")]
+#[require(h_i.norm() > 0.0, "the axis of the hinge must not be zero")]
 pub fn revolute_spherical(
     i: Spatial,
     j: Spatial,
@@ -40,14 +40,14 @@ pub fn revolute_spherical(
 ///
 /// Signs: d points from i to j. `twist` is right-handed about d and rotates h_i into h_j.
 #[constraint]
-#[require(length > 0.0, "a link needs a length above zero")]
+#[require(length > 0.0, "the length of the link must be above zero")]
 #[branch(
     {
         let d = j.point(u_j) - i.point(u_i);
         let h = i.direction(h_i.h);
         j.direction(h_j.h).dot(h * twist.cos() + d.cross(h) * (twist.sin() / length)) > 0.0
     },
-    "its second hinge points the other way"
+    "the second hinge points in the opposite direction"
 )]
 pub fn revolute_revolute(
     i: Spatial,
@@ -79,7 +79,7 @@ pub fn revolute_revolute(
 /// Signs: d points from i to the axis of j. `twist` is right-handed about d and rotates h_i into
 /// h_j.
 #[constraint]
-#[require(length > 0.0, "a link needs a length above zero")]
+#[require(length > 0.0, "the length of the link must be above zero")]
 #[branch(
     {
         let d = j.point(u_j) - i.point(u_i);
@@ -87,7 +87,7 @@ pub fn revolute_revolute(
         let k = j.direction(h_j.h);
         k.dot(h * twist.cos() + (d - k * k.dot(d)).cross(h) * (twist.sin() / length)) > 0.0
     },
-    "its sleeve points the other way"
+    "the sleeve points in the opposite direction"
 )]
 pub fn revolute_cylindrical(
     i: Spatial,
@@ -118,7 +118,7 @@ pub fn revolute_cylindrical(
 ///
 /// Signs: none. The row is positive outside the cylinder.
 #[constraint]
-#[require(length > 0.0, "a link needs a length above zero")]
+#[require(length > 0.0, "the length of the link must be above zero")]
 pub fn spherical_cylindrical(
     i: Spatial,
     j: Spatial,

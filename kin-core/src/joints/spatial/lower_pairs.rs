@@ -16,7 +16,7 @@ use kin_macros::constraint;
 /// Signs: `p0` rotates the global frame into the frame of the body. p0 and −p0 are the same
 /// rotation.
 #[constraint]
-#[require(p0.norm() > 0.0, "Euler parameters are not all zero")]
+#[require(p0.norm() > 0.0, "at least one Euler parameter must differ from zero")]
 pub fn fixed(j: Spatial, r: Vec3, p0: EulerParameters) -> (Vec3, Vec3) {
     let point = j.r - r;
     let turn = p0.conjugate().product(j.p).vector();
@@ -33,7 +33,7 @@ pub fn fixed(j: Spatial, r: Vec3, p0: EulerParameters) -> (Vec3, Vec3) {
 ///
 /// Signs: `p_ij` rotates the frame of j into the frame of i.
 #[constraint]
-#[require(p_ij.norm() > 0.0, "Euler parameters are not all zero")]
+#[require(p_ij.norm() > 0.0, "at least one Euler parameter must differ from zero")]
 pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters) -> (Vec3, Vec3) {
     let point = i.point(u_i) - j.point(u_j);
     let turn = p_ij.conjugate().product(j.p.conjugate().product(i.p)).vector();
@@ -52,8 +52,8 @@ pub fn weld(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, p_ij: EulerParameters)
 /// sets the zero of the angle: there f_i of body i lies along f_j of body j. By default f_i and f_j
 /// are the directions that [`Axis::along`] chooses for h_i and h_j (x for z, y for x, z for y).
 #[constraint]
-#[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[require(h_j.norm() > 0.0, "the axis in body j must not be zero")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 #[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.axis().g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.axis().f))), "rad", turns)]
 pub fn revolute(
     i: Spatial,
@@ -82,7 +82,7 @@ pub fn revolute(
 /// Signs: the slide grows as i moves along h_i in j. `p_ij` rotates the frame of j into the frame
 /// of i.
 #[constraint]
-#[require(p_ij.norm() > 0.0, "Euler parameters are not all zero")]
+#[require(p_ij.norm() > 0.0, "at least one Euler parameter must differ from zero")]
 #[measure(slide = i.direction(h_i.h).dot(i.point(u_i) - j.point(u_j)), "m")]
 pub fn prismatic(
     i: Spatial,
@@ -112,8 +112,8 @@ pub fn prismatic(
 /// Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
 /// sets its zero, as for [`revolute`](fn@revolute). The slide grows as i moves along h_j in j.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the axis in body j needs a length above zero")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[require(h_j.norm() > 0.0, "the axis in body j must not be zero")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 #[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.axis().g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.axis().f))), "rad", turns)]
 #[measure(slide = j.direction(h_j).dot(i.point(u_i) - j.point(u_j)) / h_j.norm(), "m")]
 pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j: Vec3) -> [f64; 4] {
@@ -138,7 +138,7 @@ pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j:
 /// with the cross by `angle_j` about the bar of j. If h_i and h_j are not perpendicular in that
 /// pose, [`Vec3::axis_near`] gives the reference directions.
 #[constraint]
-#[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "a bar of the cross needs a length above zero")]
+#[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "the bars of the cross must not be zero")]
 #[measure(angle_i = (-i.direction(h_i.axis_near(h_j).g).dot(j.direction(h_j))).atan2(i.direction(h_i.axis_near(h_j).f).dot(j.direction(h_j))), "rad", turns)]
 #[measure(angle_j = j.direction(h_j.axis_near(h_i).g).dot(i.direction(h_i)).atan2(j.direction(h_j.axis_near(h_i).f).dot(i.direction(h_i))), "rad", turns)]
 pub fn universal(
@@ -166,8 +166,8 @@ pub fn universal(
 /// sets its zero, as for [`revolute`](fn@revolute). The last row is positive where P_i is on the
 /// side to which h_j points.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the normal in body j needs a length above zero")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "its normals are opposite: h_i · h_j < 0")]
+#[require(h_j.norm() > 0.0, "the normal in body j must not be zero")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "the normals point in opposite directions: h_i · h_j < 0")]
 #[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.axis().g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.axis().f))), "rad", turns)]
 pub fn planar(
     i: Spatial,
@@ -199,8 +199,8 @@ pub fn planar(
 /// Signs: the angle is the rotation of i relative to j, right-handed about h_j. The slide grows as
 /// i moves along h_j in j. `lead` is positive for a right-hand thread.
 #[constraint]
-#[require(lead != 0.0, "a screw needs a lead; without one it is a `revolute`")]
-#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "its axes are opposite: h_i · h_j < 0")]
+#[require(lead != 0.0, "the lead of the screw must not be zero; for a screw without lead use `revolute`")]
+#[branch(i.direction(h_i.h).dot(j.direction(h_j.h)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
 #[measure(angle = i.direction(h_i.f).dot(j.direction(h_j.g)).atan2(i.direction(h_i.f).dot(j.direction(h_j.f))), "rad", turns)]
 #[measure(slide = j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j)), "m")]
 pub fn screw(
@@ -237,7 +237,7 @@ pub fn screw(
 #[constraint]
 #[branch(
     i.direction(h_i.f).dot(j.direction(h_j.f)) + i.direction(h_i.g).dot(j.direction(h_j.g)) > 0.0,
-    "its shafts are twisted by 180°: f_i · f_j + g_i · g_j < 0"
+    "the shafts are twisted by 180°: f_i · f_j + g_i · g_j < 0"
 )]
 pub fn constant_velocity(
     i: Spatial,

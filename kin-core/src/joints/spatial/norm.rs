@@ -25,7 +25,7 @@ pub fn euler_norm(b: Spatial) -> f64 {
 ///
 /// P. Dobrowolski, *Swing-twist decomposition in Clifford algebra*, 2015.
 #[constraint]
-#[require(h.norm() > 0.0, "the axis needs a length above zero")]
+#[require(h.norm() > 0.0, "the axis must not be zero")]
 pub fn held_turn(b: Spatial, turn: EulerParameters, h: Vec3) -> f64 {
     turn.conjugate().product(b.p).vector().dot(h.normalize())
 }

@@ -25,7 +25,7 @@ pub fn spherical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> Vec3 {
 ///
 /// Signs: none; the rod may point in any direction.
 #[constraint]
-#[require(length > 0.0, "a rod needs a length above zero; points that coincide are `spherical`")]
+#[require(length > 0.0, "the length of the rod must be above zero; for points at the same place use `spherical`")]
 pub fn distance(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, length: f64) -> f64 {
     let d = i.point(u_i) - j.point(u_j);
     0.5 * (d.norm_squared() / length - length)
@@ -56,7 +56,7 @@ pub fn point_on_line(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) ->
 ///
 /// Signs: the row is positive where the point is on the side to which h_j points.
 #[constraint]
-#[require(h_j.norm() > 0.0, "the plane needs a normal with a length above zero")]
+#[require(h_j.norm() > 0.0, "the normal of the plane must not be zero")]
 pub fn point_in_plane(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3) -> f64 {
     j.direction(h_j).dot(i.point(u_i) - j.point(u_j))
 }
@@ -68,7 +68,7 @@ pub fn point_in_plane(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Vec3) -
 ///
 /// Signs: c grows along `n`.
 #[constraint]
-#[require(n.norm() > 0.0, "the direction needs a length above zero")]
+#[require(n.norm() > 0.0, "the direction must not be zero")]
 pub fn point_coordinate(body: Spatial, u: Vec3, n: Vec3, value: f64) -> f64 {
     n.dot(body.point(u)) - value
 }

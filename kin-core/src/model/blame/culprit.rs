@@ -108,15 +108,15 @@ impl fmt::Display for Culprit {
         if let Some(law) = &found.law {
             return write!(
                 f,
-                "\n  This expression is the law `{law}`: keep to arguments where the law has a value and slopes, or give another law."
+                "\n  This expression is the law `{law}`. Use arguments where the law has a value and slopes, or give another law."
             );
         }
         f.write_str(match found.part {
             Part::Value if matches!(surface, Surface::Python) => {
-                "\n  Begin at another pose, change the parameters, or choose by `kin.where`."
+                "\n  Begin at another pose, change the parameters, or avoid the value by `kin.where`."
             }
             Part::Value => "\n  Begin at another pose, change the parameters, or write an `if` around the expression.",
-            _ => "\n  Avoid this pose, or write the equation smoothly: d·d - l*l instead of d.norm() - l.",
+            _ => "\n  Avoid this pose, or write a smooth equation: `d.dot(d) - l * l` instead of `d.norm() - l`.",
         })
     }
 }

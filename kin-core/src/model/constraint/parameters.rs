@@ -55,7 +55,7 @@ pub trait Parameters {
     }
 }
 
-const UNKNOWN: &str = "it is hand-written, so Kin does not know its parameters";
+const UNKNOWN: &str = "the constraint is hand-written, so Kin does not know its parameters";
 
 /// The parameters of any constraint. A constraint without the trait has no parameters.
 impl dyn Constraint + '_ {

@@ -89,7 +89,7 @@ impl RouteReason {
 impl fmt::Display for RouteReason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            RouteReason::Read => f.write_str("symbolic: the compiler has read the whole body"),
+            RouteReason::Read => f.write_str("symbolic: Kin has read the whole function"),
             RouteReason::ReadBut { outside } => {
                 let one = |(name, source): &(&str, Source)| format!("`{name}` at {source}");
                 let all: Vec<String> = outside.iter().map(one).collect();
@@ -100,12 +100,14 @@ impl fmt::Display for RouteReason {
                 )
             }
             RouteReason::Unread { what, source } => {
-                write!(f, "dual: {what} at {source} cannot be read by the compiler")
+                write!(f, "dual: Kin cannot read {what} at {source}")
             }
             RouteReason::Asked { source: Some(source) } => {
-                write!(f, "dual: `#[constraint(dual)]` requests it at {source}")
+                write!(f, "dual: `#[constraint(dual)]` requests the dual route at {source}")
             }
-            RouteReason::Asked { source: None } => f.write_str("dual: your code requests it"),
+            RouteReason::Asked { source: None } => {
+                f.write_str("dual: your code requests the dual route")
+            }
             RouteReason::Hand => {
                 f.write_str("hand-written: an `impl Constraint` without the macro")
             }

@@ -8,9 +8,9 @@ use crate::numbers::algebra::{Axis, Components, Vec3};
 /// A value that names a planar body: a [`PlanarBody`], a [`crate::Link`], the ground, or any
 /// `Into<PlanarBody>`.
 #[diagnostic::on_unimplemented(
-    message = "a planar body is required here, but this is `{Self}`",
+    message = "expected a planar body, but found `{Self}`",
     label = "not a planar body",
-    note = "a planar body is what `m.planar(…)`, `m.link(…)` or `m.ground()` has given, itself, not a reference to it or its name",
+    note = "give the value that `m.planar(…)`, `m.link(…)` or `m.ground()` returned, without `&`, and not the name of the body",
     note = "the joints and drivers of spatial bodies are in `spatial`, such as `spatial::revolute`"
 )]
 pub trait IntoPlanarBody {
@@ -28,9 +28,9 @@ impl<T: Into<PlanarBody>> IntoPlanarBody for T {
 /// A value that names a spatial body: a [`SpatialBody`], a [`crate::SpatialLink`], the ground, or
 /// any `Into<SpatialBody>`.
 #[diagnostic::on_unimplemented(
-    message = "a spatial body is required here, but this is `{Self}`",
+    message = "expected a spatial body, but found `{Self}`",
     label = "not a spatial body",
-    note = "a spatial body is what `m.spatial(…)`, `m.spatial_link(…)` or `m.ground()` has given, itself, not a reference to it or its name",
+    note = "give the value that `m.spatial(…)`, `m.spatial_link(…)` or `m.ground()` returned, without `&`, and not the name of the body",
     note = "the joints and drivers of planar bodies have no `spatial::`, such as `revolute`"
 )]
 pub trait IntoSpatialBody {
@@ -47,9 +47,9 @@ impl<T: Into<SpatialBody>> IntoSpatialBody for T {
 
 /// A value that names a scalar coordinate: a [`Coordinate`] or any `Into<Coordinate>`.
 #[diagnostic::on_unimplemented(
-    message = "a coordinate is required here, but this is `{Self}`",
+    message = "expected a coordinate, but found `{Self}`",
     label = "not a coordinate",
-    note = "a coordinate is what `m.angle(…)` or `m.length(…)` has given, or one of a body's: `body.x()`, `body.y()`, `body.theta()`"
+    note = "give the value that `m.angle(…)` or `m.length(…)` returned, or a coordinate of a body: `body.x()`, `body.y()`, `body.theta()`"
 )]
 pub trait IntoCoordinate {
     /// Returns the handle of the coordinate.
@@ -66,9 +66,9 @@ impl<T: Into<Coordinate>> IntoCoordinate for T {
 /// A value that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], any `Into<Axis>`, or the
 /// same types made of [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "an axis is required here, but this is `{Self}`",
+    message = "expected an axis, but found `{Self}`",
     label = "not an axis",
-    note = "an axis of a spatial body is a vector along it, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector across it"
+    note = "give a vector along the axis, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector f across the axis"
 )]
 pub trait IntoAxis {
     /// Returns the axis. If its directions depend on dimensions, they are recorded under `name`.

@@ -6,8 +6,7 @@
 pub enum DimensionError {
     /// A dimension on which no number of the mechanism depends.
     #[error(
-        "no number of the mechanism depends on the dimension `{name}`. Use the dimension, or an expression of it, in a link, a \
-         joint or a law, or leave it out"
+        "no number of the mechanism depends on the dimension `{name}`. Use the dimension in a link, a joint or a law, or remove it"
     )]
     Unused {
         /// The dimension.
@@ -25,7 +24,7 @@ pub enum DimensionError {
 
     /// A dimension of another mechanism.
     #[error(
-        "`{place}` has a dimension of another mechanism than \"{mechanism}\", or of several. Use the dimensions of \"{mechanism}\""
+        "`{place}` has a dimension that does not belong to \"{mechanism}\". Use only dimensions that belong to \"{mechanism}\""
     )]
     Foreign {
         /// The mechanism that received the dimension.

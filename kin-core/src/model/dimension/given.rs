@@ -9,9 +9,9 @@ use crate::numbers::real::by_ref;
 
 /// A number of a mechanism: an `f64` or a [`Dimension`].
 #[diagnostic::on_unimplemented(
-    message = "a number is required here, but this is `{Self}`",
+    message = "expected a number, but found `{Self}`",
     label = "not a number",
-    note = "a number is an `f64`, which has a point, as `1.0`, or a `Dimension`: what `m.dimension(…)` has given, or an expression of it"
+    note = "give an `f64` with a decimal point, such as `1.0`, or a `Dimension`: the value that `m.dimension(…)` returned, or an expression of dimensions"
 )]
 pub trait IntoNumber: Scalar {
     /// Returns the number as a dimension; an `f64` becomes a constant.
@@ -34,9 +34,9 @@ impl IntoNumber for Dimension {
 /// A value for a parameter of type `T` of a constraint or law: a `T`, or the same type made of
 /// [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "a `{T}` is required here, but this is `{Self}`",
+    message = "expected a `{T}`, but found `{Self}`",
     label = "not a `{T}`",
-    note = "numbers have a point, as `1.0`; where one of several is a `Dimension`, the others are too: `0.0.into()`"
+    note = "write numbers with a decimal point, such as `1.0`; where one component is a `Dimension`, convert the other components: `0.0.into()`"
 )]
 pub trait IntoParameter<T> {
     /// Returns the parameter. Numbers that depend on dimensions are recorded under the parameter's
@@ -131,9 +131,9 @@ impl<S: IntoNumber> IntoParameter<Mat3> for [[S; 3]; 3] {
 /// A vector `V` of a load or a mass: a [`Vec2`] or [`Vec3`], an array or a tuple of numbers or
 /// [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "a `{V}` is required here, but this is `{Self}`",
+    message = "expected a `{V}`, but found `{Self}`",
     label = "not a `{V}`",
-    note = "a vector is `vec2(1.0, 2.0)` in the plane and `vec3(1.0, 2.0, 3.0)` in space"
+    note = "write `vec2(1.0, 2.0)` for a vector in the plane and `vec3(1.0, 2.0, 3.0)` in space"
 )]
 pub trait IntoVector<V> {
     /// Returns the components; in a plane the third is zero.
@@ -156,8 +156,8 @@ impl<C: Components<3, Scalar: IntoNumber>> IntoVector<Vec3> for C {
 
 /// The acceleration of gravity: a [`Vec2`] or a [`Vec3`] of numbers or [`Dimension`]s.
 #[diagnostic::on_unimplemented(
-    message = "the acceleration of gravity is required here, but this is `{Self}`",
-    label = "`vec2(0.0, -9.81)` in the plane, `vec3(0.0, 0.0, -9.81)` in space"
+    message = "expected the acceleration of gravity, but found `{Self}`",
+    label = "write `vec2(0.0, -9.81)` in the plane, or `vec3(0.0, 0.0, -9.81)` in space"
 )]
 pub trait IntoGravity {
     /// Returns the components; in a plane the third is zero.

@@ -231,7 +231,7 @@ pub enum Error {
     },
 
     /// An equation left without coordinates, because all its bodies are the ground.
-    #[error("`{constraint}`{} holds no coordinate: {reason}", words::row(.row))]
+    #[error("`{constraint}`{} depends on no coordinate: {reason}", words::row(.row))]
     NoCoordinates {
         /// The constraint.
         constraint: String,
@@ -242,7 +242,7 @@ pub enum Error {
     },
 
     /// Interval bounds cannot prove anything about a motion.
-    #[error("{what} cannot be proved: {reason}")]
+    #[error("Kin cannot prove {what}: {reason}")]
     CannotBeProved {
         /// The mechanism of the motion, or the constraint.
         what: String,
@@ -262,7 +262,7 @@ pub enum Error {
     },
 
     /// A name given twice.
-    #[error("two {what} have the name `{name}`. Choose another name for one")]
+    #[error("two {what} have the name `{name}`. Give the two {what} different names")]
     DuplicateName {
         /// "bodies or coordinates", "constraints", "outputs".
         what: &'static str,
@@ -270,7 +270,7 @@ pub enum Error {
         name: String,
     },
     /// A name is empty.
-    #[error("a {what} needs a name")]
+    #[error("a {what} has an empty name. Give the {what} a name")]
     EmptyName {
         /// The kind of thing that has no name, such as "body".
         what: &'static str,
@@ -338,7 +338,7 @@ pub enum Error {
         motion: Option<Box<Motion>>,
     },
     /// A list of the wrong length.
-    #[error("{what} needs {expected} values, but has {found}")]
+    #[error("{what} has {found} values, but Kin needs {expected}")]
     WrongLength {
         /// The list.
         what: String,
@@ -348,7 +348,7 @@ pub enum Error {
         found: usize,
     },
     /// An output with a value that is infinite or not a number.
-    #[error("the output `{output}` is {value} at t = {}. Give finite numbers", words::at(*.t, .units))]
+    #[error("the output `{output}` is {value} at t = {}. Give an output that is finite at each time", words::at(*.t, .units))]
     OutputNotFinite {
         /// The output.
         output: String,

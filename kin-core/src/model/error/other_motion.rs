@@ -7,8 +7,7 @@ use crate::model::words;
 /// an equation is not satisfied.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "this motion does not belong to \"{system}\" with its present values: at t = {} the error of `{equation}` is {}. Run the \
-     system again",
+    "the motion does not belong to \"{system}\" with its present values: at t = {} the equation `{equation}` is off by {}. Run the system again",
     words::at(*.t, .units),
     words::time(*.off)
 )]

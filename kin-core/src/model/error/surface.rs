@@ -68,13 +68,16 @@ impl Surface {
     /// How a point or direction of a body is found from a global one: the name of the call, and the
     /// body as a variable is likely to be called.
     pub(crate) fn in_body(self, call: &str, body: &str, argument: &str) -> String {
+        let points = if call == "local" { "points" } else { "axes" };
         match self {
             Surface::Rust | Surface::Python => {
                 let variable: String =
                     body.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
-                format!("`m.{call}({variable}, {argument})` computes them from global ones")
+                format!(
+                    "Give constraints {points} in the frame of `{body}`, which `m.{call}({variable}, {argument})` computes from global {points}"
+                )
             }
-            Surface::Command => format!("write them as `{body}` sees them"),
+            Surface::Command => format!("Give constraints {points} in the frame of `{body}`"),
         }
     }
 
@@ -105,7 +108,7 @@ impl Surface {
             body.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
         match self {
             Surface::Rust | Surface::Python => {
-                format!(" (`m.{call}({variable}, {what})` computes them)")
+                format!(" (`m.{call}({variable}, {what})` computes the local {what})")
             }
             Surface::Command => String::new(),
         }
@@ -144,8 +147,8 @@ impl Surface {
     /// How a user adds one load.
     pub(crate) fn load(self) -> &'static str {
         match self {
-            Surface::Rust | Surface::Python => "Add it by `m.load(…)`",
-            Surface::Command => "Put it under `loads` in the file",
+            Surface::Rust | Surface::Python => "Add the energy by `m.load(…)`",
+            Surface::Command => "Write the energy under `loads` in the file",
         }
     }
 
@@ -161,9 +164,9 @@ impl Surface {
     pub(crate) fn coordinate(self) -> &'static str {
         match self {
             Surface::Rust | Surface::Python => {
-                "Add a coordinate for it (`m.length(…)`, `m.angle(…)`)"
+                "Add a coordinate for the measure (`m.length(…)`, `m.angle(…)`)"
             }
-            Surface::Command => "Add a coordinate for it to the file",
+            Surface::Command => "Add a coordinate for the measure to the file",
         }
     }
 
@@ -220,7 +223,9 @@ impl Surface {
         match self {
             Surface::Rust => "\n  To run without this check, choose `Follow::Unchecked`.",
             Surface::Python => "\n  To run without this check, give `follow=\"unchecked\"`.",
-            Surface::Command => "\n  Give times that are closer together, or end the run there.",
+            Surface::Command => {
+                "\n  Give times that are closer together, or end the run before this time."
+            }
         }
     }
 
@@ -228,13 +233,13 @@ impl Surface {
     pub(crate) fn too_many_steps(self) -> &'static str {
         match self {
             Surface::Rust => {
-                "the next time needs more smaller steps than a run may take; give closer times or a larger `SolverOptions::effort`"
+                "the step to the next time needs more substeps than a run may take. Give closer times or a larger `SolverOptions::effort`"
             }
             Surface::Python => {
-                "the next time needs more smaller steps than a run may take; give closer times or a larger `effort`"
+                "the step to the next time needs more substeps than a run may take. Give closer times or a larger `effort`"
             }
             Surface::Command => {
-                "the next time needs more smaller steps than a run may take; give closer times or a larger `--effort`"
+                "the step to the next time needs more substeps than a run may take. Give closer times or a larger `--effort`"
             }
         }
     }
@@ -251,7 +256,7 @@ impl Surface {
     /// Says how to let Kin choose the engine of forces.
     pub(crate) fn any_engine_of_forces(self) -> &'static str {
         match self {
-            Surface::Rust => "compute its forces with `Engine::Auto`",
+            Surface::Rust => "compute the forces with `Engine::Auto`",
             Surface::Python => "leave `engine` at `\"auto\"`",
             Surface::Command => "leave `--engine` at `auto`",
         }
@@ -261,9 +266,9 @@ impl Surface {
     pub(crate) fn readable_law(self) -> &'static str {
         match self {
             Surface::Rust => {
-                "write it with `#[law]` and without loops or calls that Kin cannot read, or "
+                "write the law with `#[law]` and without loops or calls that Kin cannot read, or "
             }
-            Surface::Python => "write it with `@kin.law`, or ",
+            Surface::Python => "write the law with `@kin.law`, or ",
             Surface::Command => "",
         }
     }

@@ -17,14 +17,14 @@ pub(super) fn no_convergence(
     let found = details(diagnosis);
     let Some(t) = last else {
         return if found.is_empty() {
-            "\n  Give a better initial guess or a preferred assembly, or check whether the loop can close."
+            "\n  Give a better initial guess or a preferred assembly, or check whether each loop of the mechanism can close."
                 .to_string()
         } else {
             found
         };
     };
     let cure = if found.is_empty() {
-        "\n  Use a smaller time step, or check whether the loop can close beyond this time."
+        "\n  Use a smaller time step, or check whether each loop of the mechanism can close beyond this time."
     } else {
         ""
     };
@@ -82,9 +82,9 @@ pub(super) fn singular(
         text += &format!("\n  These equations depend on one another: {}.", list(dependent));
     }
     text += &match unmet {
-        None => "\n  At a toggle or change point, begin or step elsewhere; if one constraint repeats others, remove it.".to_string(),
+        None => "\n  At a toggle or change point, begin at another pose or choose other times. If a constraint repeats other constraints, remove the redundant constraint.".to_string(),
         Some(name) => {
-            format!("\n  `{name}` is not satisfied there: remove a dependent equation that contradicts the others, or give a better guess.")
+            format!("\n  `{name}` is not satisfied at this pose. Remove a dependent equation that contradicts the others, or give a better guess.")
         }
     };
     text
@@ -94,7 +94,7 @@ pub(super) fn singular(
 pub(super) fn drawn(drawn: bool) -> &'static str {
     if drawn {
         "\n  The drawn position is singular but satisfies every equation, so Kin keeps this assembly. \
-         To begin in another assembly, draw the mechanism there, or prefer it by a coordinate or measure."
+         To begin in another assembly, draw the mechanism in that assembly, or prefer the assembly by a coordinate or measure."
     } else {
         ""
     }
@@ -106,7 +106,8 @@ pub(super) fn toggle(movable: &[String], diagnosis: &Option<Box<Diagnosis>>) -> 
     let found = details(diagnosis);
     let is_cured = diagnosis.as_ref().is_some_and(|diagnosis| !diagnosis.changes.is_empty());
     let cure = found.rsplit_once("\n  ").filter(|_| is_cured);
-    let (why, cure) = cure.unwrap_or((&found, "End the motion there, or drive another body."));
+    let (why, cure) =
+        cure.unwrap_or((&found, "End the motion before the toggle, or drive another body."));
     let movable = list(movable);
     format!("{why}\n  At the toggle, {movable} can move while the drivers stand still.\n  {cure}")
 }
@@ -128,7 +129,7 @@ pub(super) fn wrong_branch(
     motion: &Option<Box<Motion>>,
 ) -> String {
     format!(
-        "`{constraint}` ({kind}) closes the wrong way at t = {at}: {reason}.\n  Give a better guess of the poses, \
+        "`{constraint}` ({kind}) is assembled the wrong way round at t = {at}: {reason}.\n  Give a better guess of the poses, \
          or reverse one of the directions.{}",
         computed_before(motion)
     )
@@ -143,8 +144,8 @@ pub(super) fn law_jumps(
 ) -> String {
     let what = if order == 0 { "value" } else { "slope" };
     format!(
-        "the law `{law}` of `{constraint}` jumps at t = {at}: its {what} changes suddenly at {}, and no body can follow.\n  \
-         Make the parts of the law meet with equal value and slope, or end the run before this time.{}",
+        "the law `{law}` of `{constraint}` jumps at t = {at}: the {what} of the law changes suddenly at {}, and no body can follow.\n  \
+         Join the parts of the law with equal value and slope, or end the run before this time.{}",
         time(x),
         computed_before(motion)
     )
@@ -184,14 +185,14 @@ pub(super) fn known(known: &[String]) -> String {
     match known {
         [] => String::new(),
         [only] => format!(". Use `{only}`"),
-        all => format!(". Use one of {}", list(all)),
+        all => format!(". Use one of the names {}", list(all)),
     }
 }
 
 /// Says how far Newton's method came.
 pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
     format!(
-        "after {} the error of `{constraint}`{} is still {residual:.1e}.",
+        "after {} `{constraint}`{} is still off by {residual:.1e}.",
         count(iterations, "iteration"),
         row(of)
     )
@@ -202,7 +203,7 @@ pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f6
     let surface = Surface::chosen();
     let (all, cure) = if motions > 1 {
         (
-            format!("{motions} motions at once of "),
+            format!("{motions} simultaneous motions of "),
             "Run the sweep on fewer threads, give fewer times",
         )
     } else {
@@ -218,13 +219,13 @@ pub(super) fn needs_memory([motions, times, coordinates]: [usize; 3], sizes: [f6
 /// Returns the message for a handle of another mechanism.
 pub(super) fn foreign([place, argument, mechanism]: [&str; 3]) -> String {
     format!(
-        "`{place}` cannot use `{argument}`, which belongs to another mechanism than \"{mechanism}\". Use what \"{mechanism}\" returned"
+        "`{place}` cannot use `{argument}`, because `{argument}` does not belong to \"{mechanism}\". Use only bodies and coordinates of \"{mechanism}\""
     )
 }
 
 /// Returns the message for one thing in two arguments.
 pub(super) fn repeated([constraint, first, second, name]: [&str; 4]) -> String {
     format!(
-        "`{constraint}` has `{name}` twice, as `{first}` and as `{second}`. Give it different bodies or coordinates"
+        "`{constraint}` has `{name}` twice, as `{first}` and as `{second}`. Give `{constraint}` two different bodies or coordinates"
     )
 }

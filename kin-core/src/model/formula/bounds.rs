@@ -133,7 +133,9 @@ pub(crate) fn row(formula: &Formula, row: usize, results: &Results<Series>) -> S
 /// Returns the reason why the rows of a formula have no bounds at any position, if there is one.
 pub(crate) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> {
     if formula.is_rounded {
-        return Some("its constants are rounded before they can be read".to_string());
+        return Some(
+            "rustc rounds the constants of the equation before Kin reads them".to_string(),
+        );
     }
     let graph = &formula.graph;
     graph.reachable(&formula.rows).into_iter().find_map(|node| match graph.op(node) {
@@ -142,14 +144,14 @@ pub(crate) fn opaque(formula: &Formula, outside: Outside<'_>) -> Option<String> 
             let law = law.law()?;
             law.over(&Series::constant(ZERO)).is_none().then(|| {
                 format!(
-                    "Kin has no bounds of its law `{}` over an interval; {}take a law of the library",
+                    "Kin has no bounds of the law `{}` over an interval. To give bounds, {}use a law of the library",
                     law.kind(),
                     Surface::chosen().readable_law()
                 )
             })
         }
         Op::Opaque(..) if graph.depends(node).varies() => {
-            Some("it calls a user-defined function, of which Kin has no bounds over an interval. Write out its expression".to_string())
+            Some("the equation calls a user-defined function, and Kin has no bounds of this function over an interval. Write the expression of the function in the equation".to_string())
         }
         _ => None,
     })

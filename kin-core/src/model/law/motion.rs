@@ -224,7 +224,7 @@ impl LawFunction for Move {
     fn refusal(&self) -> Option<String> {
         (!self.is_sound()).then(|| {
             format!(
-                "{}: speed, acceleration and jerk must be above zero; the distance has the sign",
+                "{}: speed, acceleration and jerk must be above zero; give the sign of the motion to the distance",
                 self.kind()
             )
         })

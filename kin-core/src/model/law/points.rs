@@ -76,7 +76,7 @@ impl Points {
         let least = if self.ends == Ends::Periodic { 3 } else { 2 };
         if self.table.len() < least {
             return Some(format!(
-                "{kind}: the table has {} points; it needs {least}",
+                "{kind}: the table has {} points. Give at least {least} points",
                 self.table.len()
             ));
         }
@@ -92,7 +92,7 @@ impl Points {
             let before = self.table[k].0;
             let after = self.table[k + 1].0;
             return Some(format!(
-                "{kind}: the table does not increase: x = {before} is followed by {after} (point {})",
+                "{kind}: the values of x must increase, but x = {before} is followed by {after} (point {})",
                 k + 2
             ));
         }
@@ -101,7 +101,7 @@ impl Points {
         let size = self.table.iter().fold(0.0_f64, |m, (_, y)| m.max(y.abs()));
         (self.ends == Ends::Periodic && (first - last).abs() > 1e-9 * size).then(|| {
             format!(
-                "{kind}: a periodic table ends as it begins, but y is {first} at first and {last} at last"
+                "{kind}: the first and the last y of a periodic table must be equal, but the first is {first} and the last is {last}"
             )
         })
     }

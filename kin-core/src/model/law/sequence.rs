@@ -250,7 +250,9 @@ impl LawFunction for Sequence {
 
     fn refusal(&self) -> Option<String> {
         if self.parts.is_empty() {
-            return Some("sequence: there is no part in it".to_string());
+            return Some(
+                "sequence: the list of parts is empty. Give at least one part".to_string(),
+            );
         }
         let number = |k: usize| format!("part {} of the sequence", k + 1);
         for (k, (length, law)) in self.parts.iter().enumerate() {
@@ -268,7 +270,7 @@ impl LawFunction for Sequence {
         let between = self.seams().iter().enumerate().take(self.parts.len()).skip(1);
         let mut said = between.filter(|(_, seam)| seam.order == Some(0)).map(|(k, seam)| {
             let (end, begin) = seam.values;
-            format!("parts {k} and {} of the sequence do not meet: the first ends at {end}, the second begins at {begin}", k + 1)
+            format!("parts {k} and {} of the sequence do not meet: part {k} ends at {end}, and the next part begins at {begin}", k + 1)
         });
         said.next()
     }
@@ -385,7 +387,7 @@ impl LawFunction for Periodic {
             let begin = self.law.at(0.0);
             let apart = || {
                 format!(
-                    "the law does not repeat after {}: it begins at {begin} and ends at {end}",
+                    "the law does not repeat after {}: the period begins at {begin} and ends at {end}",
                     self.period
                 )
             };

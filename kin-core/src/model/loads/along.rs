@@ -39,9 +39,9 @@ pub(crate) enum Line {
 /// # }
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no length or angle to act along",
-    label = "a force acts along a constraint of one row, or a measure of a joint by its name",
-    note = "lengths and angles are in `kin::loads` (`length`, `turn`, `slide`); a measure is `\"guide.slide\"`"
+    message = "a force cannot act along `{Self}`",
+    label = "give a constraint of one row, or the name of a measure of a joint",
+    note = "`kin::loads` has lengths and angles (`length`, `turn`, `slide`); write a measure as `\"guide.slide\"`"
 )]
 pub trait IntoAlong {
     /// Returns the length or angle.

@@ -36,7 +36,7 @@ impl Solid {
         for (i, j) in [(0, 1), (0, 2), (1, 2)] {
             if (rows[i][j] - rows[j][i]).abs() > ROUNDED * largest {
                 return Some(format!(
-                    "the inertia is not symmetric: {} in row {}, column {}, and {} across from it",
+                    "the inertia is not symmetric: the entry {} in row {}, column {} differs from the opposite entry {}",
                     rows[i][j],
                     i + 1,
                     j + 1,
@@ -53,8 +53,7 @@ impl Solid {
         }
         (c > a + b + ROUNDED * largest).then(|| {
             format!(
-                "no body has the principal moments {a}, {b} and {c}: the largest is more than the sum of the \
-                 others. Is the tensor about the centre of mass, with products of inertia in their signs?"
+                "no body has the principal moments {a}, {b} and {c}: the largest moment is more than the sum of the others. Give the tensor about the centre of mass, and check the signs of the products of inertia"
             )
         })
     }

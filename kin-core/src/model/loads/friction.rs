@@ -135,7 +135,7 @@ impl Friction {
             Shape::Slide { length, width } => above_zero("the length of the guide", length)
                 .or_else(|| at_least_zero("the width of the guide", width)),
         };
-        let rate = "the rate at which friction sets in";
+        let rate = "the velocity at which friction reaches its full size";
         at_least_zero("the coefficient", self.coefficient)
             .or(shape)
             .or_else(|| above_zero(rate, self.rate))
@@ -168,14 +168,13 @@ impl Friction {
         let seat = is_known.then(|| Seat::of(joint, told == "pin")).flatten();
         let seat = seat.ok_or_else(|| {
             format!(
-                "friction of a {told} needs one of {}, but this is `{kind}`{whose}",
+                "friction of a {told} needs one of the joints {}, but the joint is `{kind}`{whose}",
                 kinds.join(", ")
             )
         })?;
         match self.shape {
             Shape::Slide { width, .. } if seat.holds_turn && width == 0.0 => {
-                let reason = "in space its guide holds the torque about the slide across its width: give one \
-                              above zero";
+                let reason = "the guide of a spatial slide holds the torque about the slide by its width. Give a width above zero";
                 Err(reason.to_string())
             }
             _ => Ok(seat),

@@ -127,17 +127,17 @@ pub(crate) type HungInLoad = (usize, Holding, String, Dimension);
 /// # }
 /// ```
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no load",
-    label = "a mechanism's loads are energies (functions with `#[potential]`) and a `Load`",
-    note = "a constraint is added by `m.add(…)`"
+    message = "`{Self}` is not a load",
+    label = "give a function with `#[potential]` (an energy) or a `Load`",
+    note = "add a constraint by `m.add(…)`"
 )]
 pub trait Potential: Constraint + 'static {}
 
 /// A value that acts on a mechanism: a [`Load`] or an energy.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no load",
-    label = "a mechanism's loads are energies (functions with `#[potential]`) and a `Load`",
-    note = "a constraint is added by `m.add(…)`"
+    message = "`{Self}` is not a load",
+    label = "give a function with `#[potential]` (an energy) or a `Load`",
+    note = "add a constraint by `m.add(…)`"
 )]
 pub trait IntoLoad {
     /// Returns the load.

@@ -116,7 +116,11 @@ impl OnBody {
     /// Returns an error for a point that is not finite, or for invalid laws.
     pub(crate) fn sensible(&self, load: &str) -> Result<()> {
         if let Some(bad) = self.point.iter().find(|x| !x.is_finite()) {
-            return Err(senseless(load, "load", &format!("a coordinate of its point is {bad}")));
+            return Err(senseless(
+                load,
+                "load",
+                &format!("a coordinate of the point of the load is {bad}. Give finite numbers"),
+            ));
         }
         match self.force.iter().chain(&self.torque).find_map(|law| law.refusal()) {
             Some(reason) => Err(senseless(load, "load", &reason)),

@@ -66,8 +66,8 @@ impl HasTorque for Vec3 {
 ///
 /// It is a vector or one law for each component. In the plane a torque is a number or a law.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no force or torque here",
-    label = "a vector of numbers, or as many laws: `vec2(0.0, -5.0)`, `[Law::constant(0.0), Law::sine(5.0, 2.0, 0.0)]`"
+    message = "`{Self}` is not a force or torque",
+    label = "give a vector of numbers or an array of laws: `vec2(0.0, -5.0)`, `[Law::constant(0.0), Law::sine(5.0, 2.0, 0.0)]`"
 )]
 pub trait ByLaws<T> {
     /// Returns three laws; components that the plane does not have are zero.

@@ -29,7 +29,7 @@ pub(crate) fn holds(name: &str, constraint: &dyn Constraint) -> Result<()> {
     if !constraint.facts().is_energy {
         return Ok(());
     }
-    let reason = format!("it is an energy, which holds nothing. {}", Surface::chosen().load());
+    let reason = format!("an energy is a load, not a constraint. {}", Surface::chosen().load());
     Err(Error::InvalidParameters {
         constraint: name.to_string(),
         kind: constraint.facts().kind.to_string(),
@@ -115,12 +115,12 @@ fn consistent(name: &str, constraint: &dyn Constraint, arguments: &[Argument]) -
     let facts = constraint.facts();
     let rows = facts.rows.len();
     let reason = if rows == 0 {
-        "it has no row".to_string()
+        "the constraint has no row".to_string()
     } else if let Some(Entry { row, column }) =
         facts.pattern.iter().find(|entry| entry.row >= rows || entry.column >= columns)
     {
         format!(
-            "its pattern names row {row}, column {column}, but it has {rows} rows and {columns} columns"
+            "the pattern names row {row}, column {column}, but the constraint has {rows} rows and {columns} columns"
         )
     } else {
         return Ok(());
@@ -163,12 +163,12 @@ fn movable(
         row: if rows.len() == 1 { String::new() } else { rows[row].to_string() },
         reason: match names.as_slice() {
             [] => {
-                "its row of the pattern is empty; list where C_q may differ from zero".to_string()
+                "the row is empty in the pattern. List the columns in which C_q may differ from zero".to_string()
             }
-            [one] => format!("{one} is the ground. Give it a body that can move"),
+            [one] => format!("{one} is the ground. Give the constraint a body that can move"),
             [rest @ .., last] => {
                 format!(
-                    "{} and {last} are the ground. Give it a body that can move",
+                    "{} and {last} are the ground. Give the constraint a body that can move",
                     rest.join(", ")
                 )
             }

@@ -30,7 +30,7 @@ impl Mechanism {
         if !number.value().is_finite() {
             return Err(DimensionError::invalid(
                 name,
-                format!("it is {}. Give a finite number", number.value()),
+                format!("the value is {}. Give a finite number", number.value()),
             ));
         }
         self.check_origin(name, number)?;
@@ -152,7 +152,9 @@ impl Mechanism {
                 (Some(index), _) => Bound::Parameter { of: holder, index, name },
                 (None, Some((name, part))) => Bound::Axis { of: holder, name, part },
                 (None, None) => {
-                    let reason = format!("it has no parameter `{name}` that can be set");
+                    let reason = format!(
+                        "the constraint has no parameter `{name}` that a dimension can set"
+                    );
                     return Err(DimensionError::invalid(place, reason));
                 }
             };
@@ -238,8 +240,7 @@ impl Mechanism {
         let snapshot = Snapshot::new(&store.graph, &store.entries, hung);
         if let Some(node) = store.misplaced {
             let text = text_of(&store.graph, &store.entries, node).unwrap_or_default();
-            let reason =
-                "it is an expression; give range, tolerance and unit to the dimensions in it";
+            let reason = "an expression has no range, tolerance or unit. Give these to the dimensions of the expression";
             return Err(DimensionError::invalid(&text, reason));
         }
         for (k, entry) in store.entries.iter().enumerate() {
@@ -267,7 +268,7 @@ impl Mechanism {
         match taken {
             true => Err(DimensionError::invalid(
                 name,
-                "a coordinate or parameter has that name; give another",
+                "a coordinate or parameter has the same name. Give the dimension another name",
             )),
             false => Ok(()),
         }
@@ -288,10 +289,10 @@ impl Entry {
         let fail = |reason: String| Err(DimensionError::invalid(&self.name, reason));
         match (self.range, self.tolerance) {
             (Some([from, to]), _) if !(from <= self.value && self.value <= to) => {
-                fail(format!("its range {from} … {to} excludes its value {}", self.value))
+                fail(format!("the range {from} … {to} excludes the value {}", self.value))
             }
             (_, Some(tolerance)) if !(tolerance >= 0.0 && tolerance.is_finite()) => fail(format!(
-                "its tolerance is ± {tolerance}. Give a finite number that is not negative"
+                "the tolerance is ± {tolerance}. Give a finite number that is not negative"
             )),
             _ => Ok(()),
         }
@@ -312,13 +313,13 @@ impl Entry {
                 match own[..] {
                     [a, b] if a.tolerance == b.tolerance && a.tolerance.is_some() => Ok(()),
                     _ => fail(format!(
-                        "the clearance `{name}` has two dimensions, and one tolerance for both of them"
+                        "the clearance `{name}` has two dimensions. Give both dimensions the same tolerance"
                     )),
                 }
             }
-            (Some(name), _) => {
-                fail(format!("it is one of the clearance `{name}`, which is uniform in its disc"))
-            }
+            (Some(name), _) => fail(format!(
+                "the dimension belongs to the clearance `{name}`, which has a uniform distribution in a disc. Do not give the dimension another distribution"
+            )),
         }
     }
 }

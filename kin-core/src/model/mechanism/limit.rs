@@ -18,7 +18,9 @@ impl Limit {
         if from < to {
             return Ok(());
         }
-        let reason = format!("its limits are {from} and {to}. Give a lower and a higher limit");
+        let reason = format!(
+            "the limits are {from} and {to}. Give the lower limit first and the higher limit second"
+        );
         Err(Error::InvalidParameters {
             constraint: self.name.clone(),
             kind: "limit".to_string(),

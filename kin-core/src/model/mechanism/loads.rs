@@ -81,7 +81,7 @@ impl Mechanism {
                 return Err(senseless(
                     "ground",
                     "mass",
-                    "the ground does not move: its mass does nothing",
+                    "the ground does not move, so a mass of the ground has no effect. Give the mass to a body that can move",
                 ));
             }
         };
@@ -140,7 +140,8 @@ impl Mechanism {
         self.admit_load(name, point.as_ref())?;
         let rows = point.facts().rows.len();
         if !(2..=3).contains(&rows) {
-            let reason = format!("a point has two or three rows, this has {rows}");
+            let reason =
+                format!("a point has two or three rows, but this constraint has {rows} rows");
             return Err(senseless(name, "point with mass", &reason));
         }
         sensible_point_mass(name, mass.value())?;
@@ -212,7 +213,9 @@ impl Mechanism {
                     self.admit_load(name, scalar.as_ref())?;
                     let rows = scalar.facts().rows.len();
                     if rows != 1 {
-                        let reason = format!("a load acts along one number, this has {rows} rows");
+                        let reason = format!(
+                            "a load acts along one number, but this constraint has {rows} rows"
+                        );
                         return Err(senseless(name, scalar.facts().kind, &reason));
                     }
                 }
@@ -260,7 +263,7 @@ impl Mechanism {
             return Err(senseless(
                 name,
                 "load",
-                "it is on the ground, which does not move: give it a body",
+                "the load is on the ground, which does not move. Give the load a body that can move",
             ));
         }
         on.sensible(name)

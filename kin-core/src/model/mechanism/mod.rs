@@ -106,9 +106,9 @@ pub(crate) enum Refused {
 
 /// A value that a mechanism can add: a constraint, or a `Box<dyn Constraint>`.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no constraint",
-    label = "a mechanism takes constraints: what `revolute(…)` and functions with `#[constraint]` return",
-    note = "a function becomes a constraint by `#[constraint]` above it; call it with bodies and parameters"
+    message = "`{Self}` is not a constraint",
+    label = "give the constraint that `revolute(…)` or a function with `#[constraint]` returns",
+    note = "write `#[constraint]` above a function to make it a constraint, and call the function with bodies and parameters"
 )]
 pub trait IntoConstraint {
     /// Returns the constraint.

@@ -95,9 +95,9 @@ impl SpatialPose {
 
 /// One or two directions that a spatial body faces.
 #[diagnostic::on_unimplemented(
-    message = "an axis is required here, but this is `{Self}`",
+    message = "expected an axis, but found `{Self}`",
     label = "not an axis",
-    note = "a direction is `vec3(1.0, 0.0, 0.0)`, or `Axis::new(h, f)` with a second one across it"
+    note = "give a direction such as `vec3(1.0, 0.0, 0.0)`, or `Axis::new(h, f)` with a second direction f across h"
 )]
 pub trait Direction {
     /// The type of the pose of a body that faces the direction.
@@ -164,8 +164,8 @@ directions! {
 
 /// A value that gives the pose of a spatial body: a [`SpatialPose`] or a [`Facing`].
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no pose of a spatial body",
-    label = "a pose is `SpatialPose::at(r)`, `SpatialPose::turned(r, axis, angle)` or `SpatialPose::facing(r, x)`"
+    message = "`{Self}` is not a pose of a spatial body",
+    label = "write `SpatialPose::at(r)`, `SpatialPose::turned(r, axis, angle)` or `SpatialPose::facing(r, x)`"
 )]
 pub trait IntoSpatialPose {
     #[doc(hidden)]

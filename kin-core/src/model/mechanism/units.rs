@@ -72,7 +72,7 @@ impl Mechanism {
                 &entry.name,
                 "dimension",
                 format!(
-                    "it is in {}, but the mechanism has lengths in {}. Kin converts nothing, so give it in {1}",
+                    "the dimension is in {}, but the mechanism has lengths in {}. Kin converts no units, so give the dimension in {1}",
                     entry.unit,
                     units.length()
                 ),
@@ -93,7 +93,7 @@ impl Mechanism {
         }
         let unit = format!("{}/{}^2", units.length(), units.time());
         let reason = format!(
-            "{size} {unit} is the earth's gravity in other units; in {unit} it is {}. Give it in the units of the mechanism, or declare its units by {}",
+            "{size} {unit} is the earth's gravity in other units. In {unit} the earth's gravity is {}. Give gravity in the units of the mechanism, or declare the units by {}",
             format!("{own:.6e}").parse().unwrap_or(own),
             Surface::chosen().units()
         );
@@ -108,7 +108,7 @@ pub(super) fn refusal(before: Option<&Units>, units: &Units) -> Result<()> {
     }
     if let Some((what, word, of)) = units.misplaced() {
         let reason = format!(
-            "the unit of {what} is `{word}`, which is one of {of}. {} takes length, time and mass in this order",
+            "`{word}` is a unit of {of}, but your code gives it as the unit of {what}. {} takes length, time and mass in this order",
             Surface::chosen().units()
         );
         return Err(refused("units", "words", reason));
@@ -116,7 +116,7 @@ pub(super) fn refusal(before: Option<&Units>, units: &Units) -> Result<()> {
     let Some(before) = before.filter(|before| *before != units) else { return Ok(()) };
     let told = |units: &Units| format!("{}, {} and {}", units.length(), units.time(), units.mass());
     let reason = format!(
-        "your code declares them as {}, and again as {}. Kin converts nothing, so declare them once",
+        "your code declares the units {}, and later the units {}. Kin converts no units, so declare the units once",
         told(before),
         told(units)
     );

@@ -6,7 +6,7 @@ use super::change::{Change, GlobalPoint, Resize, Size};
 use super::gap::{Asks, Step};
 use super::text::SHOWN;
 use crate::model::error::surface::Surface;
-use crate::model::words::{apart, different, list, number, value};
+use crate::model::words::{apart, different, list, number, of_coordinate, value};
 
 /// The cause that a change gives, where the change has been tried; the report names it first.
 /// Lengths have this unit; none where it is empty.
@@ -18,36 +18,41 @@ pub(super) fn cause(change: &Change, unit: &str) -> Option<String> {
         Change::Resize { any } => {
             let all: Vec<String> =
                 any.iter().map(|resize| Is { resize, unit }.to_string()).collect();
-            Some(format!("One of these does not fit: {}.", all.join(", ")))
+            Some(format!("One of these dimensions does not fit: {}.", all.join(", ")))
         }
         Change::Allow { .. } => Some(
-            "The redundant equations are nearly consistent: their contradiction is within the accuracy of ordinary parts."
+            "The redundant equations contradict each other by less than the accuracy of ordinary parts."
                 .to_string(),
         ),
         Change::Pin { bodies: [a, b], .. } => Some(format!(
-            "Only one joint holds each of `{a}` and `{b}`, and nothing drives them."
+            "Only one joint holds each of `{a}` and `{b}`, and nothing drives `{a}` or `{b}`."
         )),
         Change::Swap { constraint, bodies: [i, j], points: [u, v] } => Some(format!(
-            "The points of `{constraint}` are exchanged: in `{i}` it has {}, a point of `{j}`, and in `{j}` it has {}, a point of `{i}`.",
+            "The points of `{constraint}` are exchanged: {}{} for `{i}` is a point of `{j}`, and {}{} for `{j}` is a point of `{i}`.",
             Point::of(u),
-            Point::of(v)
+            after(unit),
+            Point::of(v),
+            after(unit)
         )),
         Change::Local { points } => points.first().map(|first| {
             let others = match points.len() - 1 {
                 0 => String::new(),
-                more => format!(" (and {more} more)"),
+                1 => " (and so does 1 more point)".to_string(),
+                more => format!(" (and so do {more} more points)"),
             };
             format!(
-                "`{}` has the global point {} in `{}`, but needs a local point{others}.",
+                "`{}` has the global point {}{} for `{body}`, but needs a point in the frame of `{body}`{others}.",
                 first.constraint,
                 Point::of(&first.given),
-                first.body
+                after(unit),
+                body = first.body
             )
         }),
         Change::Join { body } => Some(format!("No constraint holds `{body}`.")),
         Change::OtherEnd { constraints: [a, b], body, point } => Some(format!(
-            "`{a}` and `{b}` hold the same end of `{body}`, {}, and nothing holds its other end.",
-            Point::of(point)
+            "`{a}` and `{b}` hold the same end of `{body}`, {}{}, and nothing holds the other end of `{body}`.",
+            Point::of(point),
+            after(unit)
         )),
         _ => None,
     }
@@ -62,9 +67,7 @@ struct Is<'a> {
 impl Is<'_> {
     /// The same where only this dimension can be at fault.
     fn alone(&self) -> String {
-        let text = self.to_string();
-        let (name, is) = text.rsplit_once("` is ").unwrap_or((&text, ""));
-        format!("{name}` does not fit: it is {is}.")
+        format!("{self} and does not fit.")
     }
 }
 
@@ -72,17 +75,28 @@ impl Display for Is<'_> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let Is { resize, unit } = self;
         let [is, _] = resize.both();
-        let blank = if unit.is_empty() { "" } else { " " };
+        let unit = after(unit);
         match &resize.of {
-            Size::Length { body } => write!(f, "`{body}` is {is}{blank}{unit} long"),
+            Size::Length { body } => write!(f, "`{body}` is {is}{unit} long"),
             Size::Number { constraint, parameter } => {
-                write!(f, "`{constraint}.{parameter}` is {is}")
+                write!(f, "`{constraint}.{parameter}` is {is}{}", of_number(parameter, &unit))
             }
             Size::Point { constraint, body, .. } => {
-                write!(f, "`{constraint}` is at {is}{blank}{unit} {}", frame(body))
+                write!(f, "`{constraint}` is at {is}{unit} {}", frame(body))
             }
         }
     }
+}
+
+/// The unit behind a number, with a blank; nothing if it has no name.
+fn after(unit: &str) -> String {
+    if unit.is_empty() { String::new() } else { format!(" {unit}") }
+}
+
+/// The unit of a number of a constraint where its name says that it is a length; `length` is the
+/// unit of length with its blank.
+fn of_number<'a>(parameter: &str, length: &'a str) -> &'a str {
+    if matches!(parameter, "length" | "distance" | "radius") { length } else { "" }
 }
 
 /// "on the ground", "in `rod`"
@@ -108,14 +122,15 @@ impl Resize {
         let up = (!self.exact).then_some(self.fits.first() > self.is.first());
         let value =
             Value { x, up, digits: 4 }.apart_from(self.is.first().copied().unwrap_or_default());
-        let blank = if unit.is_empty() { "" } else { " " };
+        let unit = after(unit);
         match &self.of {
-            Size::Length { body } => format!("make `{body}` {bound}{value}{blank}{unit} long"),
+            Size::Length { body } => format!("make `{body}` {bound}{value}{unit} long"),
             Size::Number { constraint, parameter } => {
-                format!("make `{constraint}.{parameter}` {bound}{value}")
+                let unit = of_number(parameter, &unit);
+                format!("make `{constraint}.{parameter}` {bound}{value}{unit}")
             }
             Size::Point { constraint, body, .. } => {
-                format!("move `{constraint}` from {is} to {fits}{blank}{unit} {}", frame(body))
+                format!("move `{constraint}` from {is} to {fits}{unit} {}", frame(body))
             }
         }
     }
@@ -194,11 +209,13 @@ impl Display for Point {
 pub(super) struct In<'a> {
     pub change: &'a Change,
     pub unit: &'a str,
+    /// The unit of the gap that the change closes; empty if the gap is no length.
+    pub gap: &'a str,
 }
 
 impl Display for Change {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        In { change: self, unit: "" }.fmt(f)
+        In { change: self, unit: "", gap: "" }.fmt(f)
     }
 }
 
@@ -208,14 +225,17 @@ impl Display for In<'_> {
         match self.change {
             Change::Remove { constraint, or } => remove(f, constraint, or),
             Change::Fit { constraint, missing, or_drop, of } => {
-                fit(f, constraint, *missing, or_drop, *of)
+                fit(f, constraint, &Gap { missing: *missing, unit: self.gap }, or_drop, *of)
             }
             Change::Limit { constraint, asks, or } => {
                 limit(f, constraint, asks.as_ref(), (or, self.unit))
             }
             Change::Allow { misfit } => {
                 let call = surface.allowed_misfit(*misfit);
-                write!(f, "allow the contradiction by {call}, a fraction of the mechanism's size")
+                write!(
+                    f,
+                    "allow the contradiction of the equations by {call}, where the number is a fraction of the mechanism's size"
+                )
             }
             Change::Resize { any } => {
                 let all: Vec<String> = any.iter().map(|one| one.advice(self.unit)).collect();
@@ -224,28 +244,29 @@ impl Display for In<'_> {
             Change::Smooth { step: Step { equation, coordinate, at, .. } } => {
                 write!(
                     f,
-                    "replace the jump of `{equation}` by a smooth function, or keep {coordinate} away from {}",
-                    value(*at)
+                    "replace the jump of `{equation}` by a smooth function, or keep {coordinate} away from {}{}",
+                    value(*at),
+                    of_coordinate(coordinate, self.unit)
                 )
             }
             Change::Swap { constraint, bodies: [i, j], .. } => {
                 write!(
                     f,
-                    "give `{constraint}` its bodies in the order of its points: first `{j}`, then `{i}`"
+                    "give the bodies of `{constraint}` in the order of the points: first `{j}`, then `{i}`"
                 )
             }
-            Change::Local { points } => local(f, points),
+            Change::Local { points } => local(f, points, self.unit),
             Change::OtherEnd { constraints: [a, b], body, .. } => {
                 write!(f, "let `{a}` or `{b}` hold the other end of `{body}`")
             }
             Change::Drop { constraint, rows, instead: Some(joint) } => {
-                write!(f, "make `{constraint}` {joint}, which drops {}", rows_named(rows))
+                write!(f, "replace `{constraint}` by {joint}, which has no {}", rows_named(rows))
             }
             Change::Drop { constraint, rows, instead: None } => {
-                write!(f, "drop {} of `{constraint}`", rows_named(rows))
+                write!(f, "remove {} of `{constraint}`", rows_named(rows))
             }
             Change::Drive { turn: Some(body), .. } => {
-                write!(f, "drive or hold the turn of `{body}`")
+                write!(f, "drive or hold the rotation of `{body}`")
             }
             Change::Drive { coordinate, .. } => write!(f, "drive or hold `{coordinate}`"),
             Change::Pin { bodies: [a, b], coordinates: [x, y] } => {
@@ -255,18 +276,19 @@ impl Display for In<'_> {
                 let all = quoted(constraints.iter().take(SHOWN));
                 write!(
                     f,
-                    "to let it move, replace one of {all} by a joint that holds less, and add a motor"
+                    "to let the mechanism move, replace one of the joints {all} by a joint with fewer rows, and add a motor"
                 )
             }
             Change::Join { body } => {
-                write!(f, "join `{body}` to another body or the ground, or leave it out")
+                write!(f, "join `{body}` to another body or the ground, or remove `{body}`")
             }
             Change::HoldIdle { bodies } => {
                 let all = list(bodies);
                 write!(
                     f,
-                    "hold the idle turn of {all} {}, or replace the body by a `distance`",
-                    surface.hold_idle()
+                    "hold the idle rotation of {all} {}, or replace {one} by a `distance`",
+                    surface.hold_idle(),
+                    one = if bodies.len() == 1 { all.as_str() } else { "the bodies" }
                 )
             }
         }
@@ -278,40 +300,47 @@ fn quoted<'a>(names: impl Iterator<Item = &'a String>) -> String {
 }
 
 fn remove(f: &mut Formatter<'_>, constraint: &str, or: &[String]) -> Result {
-    write!(f, "remove `{constraint}`")?;
     if or.is_empty() {
-        return Ok(());
+        return write!(f, "remove `{constraint}`");
     }
-    write!(f, ", or {}", quoted(or.iter().take(SHOWN)))?;
+    write!(f, "remove `{constraint}` or {}", quoted(or.iter().take(SHOWN)))?;
     match or.len().saturating_sub(SHOWN) {
         0 => {}
-        more => write!(f, " or {more} more")?,
+        more => write!(f, " or {more} more constraints")?,
     }
-    f.write_str(", or replace one by a measurement")
+    f.write_str(", or replace one of these constraints by a measurement")
+}
+
+/// The gap of a joint; without unit if its rows are no lengths.
+struct Gap<'a> {
+    missing: f64,
+    unit: &'a str,
 }
 
 fn fit(
     f: &mut Formatter<'_>,
     constraint: &str,
-    missing: f64,
+    gap: &Gap<'_>,
     or_drop: &[String],
     of: usize,
 ) -> Result {
     write!(
         f,
-        "change a dimension so that the gap of {} at `{constraint}` closes",
-        number(missing)
+        "change a dimension so that the gap of {}{} at `{constraint}` closes",
+        number(gap.missing),
+        after(gap.unit)
     )?;
     match or_drop.len() {
         0 => Ok(()),
         all if all == of => write!(f, ", or remove `{constraint}`"),
-        _ => write!(f, ", or drop its {}", rows_named(or_drop)),
+        _ => write!(f, ", or remove {} of `{constraint}`", rows_named(or_drop)),
     }
 }
 
-fn local(f: &mut Formatter<'_>, points: &[GlobalPoint]) -> Result {
+fn local(f: &mut Formatter<'_>, points: &[GlobalPoint], unit: &str) -> Result {
     let one = |GlobalPoint { point, constraint, local, body, .. }: &GlobalPoint| {
-        format!("`{point}` of `{constraint}` the point {} of `{body}`", Point::of(local))
+        let local = Point::of(local);
+        format!("`{point}` of `{constraint}` the point {local}{} of `{body}`", after(unit))
     };
     let all: Vec<String> = points.iter().take(SHOWN).map(one).collect();
     let call = Surface::chosen().local("local", "body", "point");
@@ -331,14 +360,15 @@ fn limit(
             let radians = Surface::chosen().radians(asks.asked);
             write!(
                 f,
-                "give `{constraint}` an angle in radians ({radians}), or keep it within reach"
+                "give `{constraint}` an angle in radians ({radians}), or keep `{constraint}` within reach"
             )?;
         }
         None => write!(f, "keep `{constraint}` within reach")?,
     }
     if let Some(Asks { coordinate, asked, stands, .. }) = asks {
         let [_, stands] = different(*asked, *stands);
-        write!(f, ", which ends near {coordinate} = {stands}")?;
+        let of = of_coordinate(coordinate, unit);
+        write!(f, ", which ends near {coordinate} = {stands}{of}")?;
     }
     or.iter().try_for_each(|resize| write!(f, ", or {}", resize.advice(unit)))
 }
@@ -372,27 +402,27 @@ mod tests {
     fn advice_has_the_digits_of_its_difference() {
         let told = |resize: Resize| {
             let change = Change::Resize { any: vec![resize] };
-            [cause(&change, "m").unwrap(), In { change: &change, unit: "m" }.to_string()]
+            [cause(&change, "m").unwrap(), In { change: &change, unit: "m", gap: "" }.to_string()]
         };
         assert_eq!(
             told(pin([4.0, 0.0], [4.0001, 0.0])),
             [
-                "`T2` does not fit: it is at (4.0000, 0) m on the ground.",
+                "`T2` is at (4.0000, 0) m on the ground and does not fit.",
                 "move `T2` from (4.0000, 0) to (4.0001, 0) m on the ground"
             ]
         );
         assert_eq!(
             told(length(1.0 + 5e-9, 1.0, true)),
-            ["`rod` does not fit: it is 1.000000005 m long.", "make `rod` 1.000 m long"]
+            ["`rod` is 1.000000005 m long and does not fit.", "make `rod` 1.000 m long"]
         );
         // A bound keeps to its safe side.
         assert_eq!(
             told(length(0.1496, 0.15, false)),
-            ["`rod` does not fit: it is 0.1496 m long.", "make `rod` at least 0.1500 m long"]
+            ["`rod` is 0.1496 m long and does not fit.", "make `rod` at least 0.1500 m long"]
         );
         assert_eq!(
             told(length(6.1, 5.99964, false)),
-            ["`rod` does not fit: it is 6.100 m long.", "make `rod` at most 5.999 m long"]
+            ["`rod` is 6.100 m long and does not fit.", "make `rod` at most 5.999 m long"]
         );
         assert_eq!(
             told(length(0.150000012, 0.15000002366, false))[1],

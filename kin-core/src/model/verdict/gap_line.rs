@@ -5,7 +5,7 @@ use std::fmt::{Display, Formatter, Result};
 use super::diagnosis::Diagnosis;
 use super::gap::{Against, Asks, Gap, Step};
 use super::text::SHOWN;
-use crate::model::words::{apart, different, list, number, value};
+use crate::model::words::{apart, capital, different, list, number, of_coordinate, value};
 
 /// A gap, with the constraints that conflict with it.
 pub(super) struct GapLine<'a>(pub &'a Gap, pub &'a Diagnosis);
@@ -28,39 +28,41 @@ impl Display for GapLine<'_> {
         let name = &gap.constraint;
         let starts = match gap.starts {
             0 | 1 => String::new(),
-            starts => format!(" (best of {starts} starting poses)"),
+            starts => format!(" (Kin searched from {starts} starting poses)"),
         };
         let others = match others.is_empty() {
             true => "all other constraints".to_string(),
             false => self.named(&others),
         };
         // Beside a step a solution may be near that no search finds.
-        let why = match (gap.lasting, gap.steps.is_empty()) {
-            (true, _) => format!("contradicts {others}:"),
-            (false, true) => format!("is out of reach: with {others}"),
-            (false, false) => format!("is not satisfied here: with {others}"),
+        let (why, with) = match (gap.lasting, gap.steps.is_empty()) {
+            (true, _) => (format!("contradicts {others}"), String::new()),
+            (false, true) => ("is out of reach".to_string(), format!("with {others} satisfied, ")),
+            (false, false) => {
+                ("is not satisfied here".to_string(), format!("with {others} satisfied, "))
+            }
         };
-        match &gap.asks {
+        let length = diagnosis.units.length();
+        let least = if gap.can_jump { "" } else { "at least " };
+        let size = number(gap.size());
+        let (requires, rest) = match &gap.asks {
             Some(asks) => {
                 let coordinate = &asks.coordinate;
                 let [asked, stands] = different(asks.asked, asks.stands);
+                let unit = of_coordinate(coordinate, length);
                 let turn = beyond_a_turn(asks);
-                write!(
-                    f,
-                    "`{name}` requires {coordinate} = {asked}{turn}, which {why} the nearest value is {stands}{starts}."
+                (
+                    format!("requires {coordinate} = {asked}{unit}{turn}, which "),
+                    format!("the nearest value of {coordinate} is {stands}{unit}"),
                 )
             }
-            None => {
-                let least = if gap.can_jump { "" } else { "at least " };
-                let size = number(gap.size());
-                if gap.is_between_points() {
-                    let unit = diagnosis.units.length();
-                    write!(f, "`{name}` {why} a gap of {least}{size} {unit} remains{starts}.")
-                } else {
-                    write!(f, "`{name}` {why} its equations are off by {least}{size}{starts}.")
-                }
+            None if gap.is_between_points() => {
+                (String::new(), format!("a gap of {least}{size} {length} remains at `{name}`"))
             }
-        }?;
+            None => (String::new(), format!("the residual of `{name}` is {least}{size}")),
+        };
+        let rest = capital(&format!("{with}{rest}"));
+        write!(f, "`{name}` {requires}{why}. {rest}{starts}.")?;
         gap.steps.iter().try_for_each(|step| write!(f, " {step}"))
     }
 }
@@ -75,7 +77,8 @@ impl Display for Step {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let Step { equation, coordinate, at, from, to, .. } = self;
         let [from, to] = apart(&[*from], &[*to]).map(|one| one.concat());
-        write!(f, "`{equation}` jumps at {coordinate} = {}, from {from} to {to}.", value(*at))
+        let unit = of_coordinate(coordinate, "");
+        write!(f, "`{equation}` jumps from {from} to {to} at {coordinate} = {}{unit}.", value(*at))
     }
 }
 
@@ -92,7 +95,9 @@ impl GapLine<'_> {
                     } else {
                         ""
                     };
-                    format!("`{constraint}` ({} = {}{turn})", asks.coordinate, value(asks.asked))
+                    let coordinate = &asks.coordinate;
+                    let unit = of_coordinate(coordinate, self.1.units.length());
+                    format!("`{constraint}` ({coordinate} = {}{unit}{turn})", value(asks.asked))
                 }
                 None => format!("`{constraint}`"),
             });
@@ -101,7 +106,7 @@ impl GapLine<'_> {
             names.iter().filter(|name| asks(name).is_none()).cloned().collect();
         let others = if others.is_empty() { None } else { Some(list(&others)) };
         let more = drivers.len().saturating_sub(SHOWN);
-        let more = (more > 0).then(|| format!("{more} more"));
+        let more = (more > 0).then(|| format!("{more} more drivers"));
         drivers.into_iter().take(SHOWN).chain(more).chain(others).collect::<Vec<_>>().join(", ")
     }
 }

@@ -9,10 +9,10 @@ use super::dependency::{Class, Dependency, Level, Term};
 use super::diagnosis::Diagnosis;
 use super::elsewhere::Elsewhere;
 use super::freedom::{BodyMotion, Freedom, How, Persistence, Play};
-use super::gap::Asks;
+use super::gap::{Asks, Gap};
 use super::gap_line::GapLine;
 use super::repeats;
-use crate::model::words::{capital, count, different, list, number, time};
+use crate::model::words::{capital, count, different, list, number, of_coordinate, time};
 
 /// The largest number of dependencies and of freedoms in a report.
 pub(super) const SHOWN: usize = 6;
@@ -34,7 +34,7 @@ impl Display for Diagnosis {
             rank if rank > self.rank => write!(f, " here and {rank} at nearby poses.")?,
             _ if self.dependencies.is_empty() && self.freedoms.is_empty() => write!(f, ".")?,
             _ if self.moves => write!(f, " here and at nearby poses.")?,
-            _ => write!(f, "; it cannot move to other poses.")?,
+            _ => write!(f, "; the mechanism cannot move to other poses.")?,
         }
         write!(f, "{}", self.details())
     }
@@ -58,7 +58,7 @@ impl Diagnosis {
     fn write_details(&self, f: &mut Formatter<'_>) -> Result {
         if self.count_misleads() && self.gaps.is_empty() {
             f.write_str(
-                "\n  The numbers of equations and coordinates agree only by chance: a superfluous equation hides a missing one.",
+                "\n  The numbers of equations and coordinates agree only by chance: a superfluous equation hides a missing equation.",
             )?;
         }
         if self.gaps.is_empty() {
@@ -102,7 +102,10 @@ impl Diagnosis {
         let real = |freedom: &&Freedom| {
             (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !joins(freedom)
         };
-        lines(f, &self.freedoms.iter().filter(real).collect::<Vec<_>>(), "freedom", "freedoms")?;
+        let unit = self.units.length();
+        let told = |freedom| WithUnit { told: freedom, unit };
+        let freedoms: Vec<_> = self.freedoms.iter().filter(real).map(told).collect();
+        lines(f, &freedoms, "freedom", "freedoms")?;
         self.advice(f)
     }
 
@@ -128,7 +131,7 @@ impl Diagnosis {
         let all = list(&names);
         write!(
             f,
-            "\n  The structure is rigid but shaky: {all} {verb} slightly, as bars in line do, and then no further."
+            "\n  The structure is rigid but shaky: {all} {verb} slightly like bars in line, and then no further."
         )?;
         let plays = stiff().filter_map(|freedom| freedom.play.as_ref());
         plays
@@ -144,17 +147,18 @@ impl Diagnosis {
         match &self.elsewhere {
             Some(Elsewhere::Time(at)) => {
                 let units = self.units.time();
-                write!(f, "\n  Begin at t = {} {units}, or step over this time.", time(*at))
+                write!(f, "\n  Begin at t = {} {units}, or leave out this time.", time(*at))
             }
             Some(Elsewhere::Drive { constraint, asks }) => {
                 let Asks { coordinate, asked, stands, .. } = asks;
                 let [_, stands] = different(*asked, *stands);
                 write!(
                     f,
-                    "\n  Let `{constraint}` begin at another value, such as {coordinate} = {stands}."
+                    "\n  Let `{constraint}` begin at another value, such as {coordinate} = {stands}{}.",
+                    of_coordinate(coordinate, self.units.length())
                 )
             }
-            None => f.write_str("\n  Begin at another pose, or step over this time."),
+            None => f.write_str("\n  Begin at another pose, or leave out this time."),
         }
     }
 
@@ -170,7 +174,7 @@ impl Diagnosis {
             (_, true) => write!(f, "turn by {} rad", number(*turns))?,
             _ => write!(f, "move by {} {length}", number(*moves))?,
         }
-        f.write_str(". A quarter of that play allows half of that motion.")
+        f.write_str(". A quarter of this play allows half of this motion.")
     }
 
     /// Returns true if Kin has tested a change with which everything closes and moves. Its cause
@@ -196,6 +200,13 @@ impl Diagnosis {
         all
     }
 
+    /// Returns the unit of the gap that a change closes; empty if the gap is no length.
+    fn unit_of_gap(&self, change: &Change) -> &str {
+        let Change::Fit { constraint, .. } = change else { return "" };
+        let is_own = |gap: &&Gap| gap.constraint == *constraint && gap.is_between_points();
+        self.gaps.iter().find(is_own).map_or("", |_| self.units.length())
+    }
+
     fn advice(&self, f: &mut Formatter<'_>) -> Result {
         self.instead(f)?;
         if self.changes.is_empty() {
@@ -205,8 +216,12 @@ impl Diagnosis {
         // Another change, for users who do not want to allow a contradiction.
         let is_other = |k: usize| k > 0 && matches!(self.changes[k - 1], Change::Allow { .. });
         let sentence = |(k, change): (usize, &Change)| {
-            let text = In { change, unit }.to_string();
-            let text = if is_other(k) { format!("otherwise, {text}") } else { text };
+            let text = In { change, unit, gap: self.unit_of_gap(change) }.to_string();
+            let text = if is_other(k) {
+                format!("if you do not allow the contradiction, {text}")
+            } else {
+                text
+            };
             capital(&text) + "."
         };
         let shown: Vec<String> =
@@ -245,7 +260,11 @@ impl Display for Dependency {
                 write!(f, "`{name}` is redundant but consistent: `{name}`{}.", Sum(others))
             }
             Class::OnlyHere => {
-                write!(f, "`{name}` is dependent at this pose only: `{name}`{}.", Sum(others))
+                write!(
+                    f,
+                    "`{name}` depends on other equations at this pose only: `{name}`{}.",
+                    Sum(others)
+                )
             }
             Class::Contradictory { level, residual } => {
                 let what = match level {
@@ -256,7 +275,12 @@ impl Display for Dependency {
                 let names: Vec<String> =
                     self.constraints().iter().map(ToString::to_string).collect();
                 let off = number(residual.abs());
-                write!(f, "{} {what}: `{name}`{} is violated by {off}.", list(&names), Sum(others))
+                write!(
+                    f,
+                    "{} {what}: the relation `{name}`{} is violated by {off}.",
+                    list(&names),
+                    Sum(others)
+                )
             }
         }
     }
@@ -288,32 +312,53 @@ impl Display for Sum<'_> {
     }
 }
 
+/// A freedom or a motion whose points have a unit of length; none where it is empty.
+struct WithUnit<'a, T> {
+    told: &'a T,
+    unit: &'a str,
+}
+
 impl Display for Freedom {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let shown: Vec<String> = self.motions.iter().take(SHOWN).map(ToString::to_string).collect();
+        WithUnit { told: self, unit: "" }.fmt(f)
+    }
+}
+
+impl Display for WithUnit<'_, Freedom> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let WithUnit { told, unit } = *self;
+        let one = |motion| WithUnit { told: motion, unit }.to_string();
+        let shown: Vec<String> = told.motions.iter().take(SHOWN).map(one).collect();
         let what = shown.join(", ");
-        match self.persistence {
+        match told.persistence {
             Persistence::Always => write!(f, "Nothing drives this freedom: {what}")?,
             Persistence::OnlyHere => write!(f, "At this pose only, this motion is free: {what}")?,
             Persistence::Infinitesimal => {
                 write!(f, "To first order only, this motion is free: {what}")?
             }
         }
-        more(f, self.motions.len(), "body", "bodies")?;
+        more(f, told.motions.len(), "body", "bodies")?;
         f.write_str(".")
     }
 }
 
 impl Display for BodyMotion {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let several = self.names.len() > 1;
-        write!(f, "{} ", list(&self.names))?;
+        WithUnit { told: self, unit: "" }.fmt(f)
+    }
+}
+
+impl Display for WithUnit<'_, BodyMotion> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let several = self.told.names.len() > 1;
+        let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
+        write!(f, "{} ", list(&self.told.names))?;
         let verb = |one: &str| {
             if several { one.trim_end_matches('s').to_string() } else { one.to_string() }
         };
-        match self.how {
+        match self.told.how {
             How::TurnsAbout { point: [x, y], .. } => {
-                write!(f, "{} about ({}, {})", verb("turns"), number(x), number(y))
+                write!(f, "{} about ({}, {}){unit}", verb("turns"), number(x), number(y))
             }
             How::Slides { along: [x, y], .. } => {
                 write!(f, "{} along ({}, {})", verb("slides"), number(x), number(y))
@@ -324,7 +369,7 @@ impl Display for BodyMotion {
             How::Screws { point, axis, pitch: 0.0, .. } => {
                 write!(
                     f,
-                    "{} about the axis through {} along {}",
+                    "{} about the axis through {}{unit} along {}",
                     verb("turns"),
                     Vector(point),
                     Vector(axis)
@@ -334,7 +379,7 @@ impl Display for BodyMotion {
                 let pitch = number(pitch);
                 write!(
                     f,
-                    "{} about the axis through {} along {}, {pitch} per radian",
+                    "{} about the axis through {}{unit} along {}, by {pitch}{unit} per radian",
                     verb("screws"),
                     Vector(point),
                     Vector(axis)

@@ -28,8 +28,8 @@ pub use vec3::{Vec3, vec3};
 /// array, a tuple. Joints and the methods of vectors accept them.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector of {N} components",
-    label = "{N} components are required here",
-    note = "a vector of the plane is `vec2(x, y)` or `(x, y)`, one of space `vec3(x, y, z)` or `(x, y, z)`; numbers have a point, as `1.0`"
+    label = "expected {N} components",
+    note = "write `vec2(x, y)` or `(x, y)` in the plane, and `vec3(x, y, z)` or `(x, y, z)` in space; write numbers with a decimal point, such as `1.0`"
 )]
 pub trait Components<const N: usize> {
     /// The number type of the components.

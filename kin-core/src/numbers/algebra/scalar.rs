@@ -55,8 +55,8 @@ pub trait Scalar:
 /// A number type that works with numbers `U`: each type with itself, and `f64` with `Real<D>`. The
 /// result is [`Mixed<Self, U>`](Mixed).
 #[diagnostic::on_unimplemented(
-    message = "no number of Kin is both `{Self}` and `{U}`",
-    note = "numbers are `f64` and `Real<D>`; write 1.0, not 1"
+    message = "a number cannot be both `{Self}` and `{U}`",
+    note = "use `f64` or `Real<D>` for numbers; write `1.0`, not `1`"
 )]
 pub trait Mix<U>:
     Copy

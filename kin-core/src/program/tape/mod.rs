@@ -20,7 +20,7 @@ use kin_graph::{Comparison, Function, Function2};
 
 /// The reason why no tape can run on this machine.
 pub(crate) const NO_LANES: &str =
-    "this machine has no registers for several times at once (AVX-512, AVX2 with FMA, Neon)";
+    "this machine has no registers (AVX-512, AVX2 with FMA, Neon) for several times at once";
 
 use crate::model::law::Law;
 use crate::program::gather::{Case, Free};

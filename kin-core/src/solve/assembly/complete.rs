@@ -115,7 +115,7 @@ impl Account {
             None if found == 0 => (
                 Complete::Unknown,
                 format!(
-                    "none of {starts} starts led to an assembly; a diagnosis reports how near the parts can come"
+                    "none of {starts} starting poses led to an assembly. Call `diagnose` to see how near the parts can come"
                 ),
             ),
             None if self.is_affine => (
@@ -126,8 +126,7 @@ impl Account {
             None => (
                 Complete::Believed,
                 format!(
-                    "{starts} starts led to each assembly {} times or more; by the estimate of Boender and Rinnooy \
-                     Kan {:.2} are missing",
+                    "{starts} starting poses led to each assembly {} times or more. By the estimate of Boender and Rinnooy Kan {:.2} assemblies are missing",
                     self.rarest, self.missing
                 ),
             ),

@@ -61,7 +61,7 @@ pub(crate) fn all(
             if next.len() > MOST {
                 next.truncate(MOST);
                 search.account.doubt(|| {
-                    format!("there are more than {MOST} assemblies; only so many are listed")
+                    format!("the mechanism has more than {MOST} assemblies. Kin lists only {MOST} assemblies")
                 });
                 break;
             }
@@ -146,7 +146,9 @@ impl<'a> Search<'a> {
             }
             start += 1;
             if known.poses.len() > MOST {
-                let reason = format!("more than {MOST} assemblies: the mechanism is free to move");
+                let reason = format!(
+                    "the mechanism has more than {MOST} assemblies, because the mechanism can move. Drive or hold each freedom"
+                );
                 return Err(Error::InvalidOptions { reason });
             }
         }
@@ -279,12 +281,12 @@ impl<'a> Search<'a> {
             let rarest = known.rarest();
             match (is_exhausted, w) {
                 (false, _) => "the time limit ended the search".to_string(),
-                (true, 0) => format!("none of {starts} starts led to a pose"),
+                (true, 0) => format!("none of {starts} starting poses led to an assembly"),
                 (true, _) if rarest < OFTEN => {
-                    format!("{starts} starts led to {w} poses, to one of them {rarest} times only: allow more starts")
+                    format!("{starts} starting poses led to {w} assemblies, to one assembly only {rarest} times. Allow more starting poses")
                 }
                 (true, _) => {
-                    format!("{starts} starts led to {w} poses, and {missing:.1} are missing by the estimate: allow more starts")
+                    format!("{starts} starting poses led to {w} assemblies. By the estimate {missing:.1} assemblies are missing. Allow more starting poses")
                 }
             }
         });
@@ -299,7 +301,7 @@ impl<'a> Search<'a> {
             .is_ok_and(|point| model.rank(&point.values, &model.measure(q, t)) == model.n());
         if !is_regular {
             self.account.doubt(|| {
-                format!("assembly `{label}` is singular: it may belong to a family of poses, and a list shows only some of them")
+                format!("the assembly `{label}` is singular. The assembly may belong to a family of poses, and the list shows only some of these poses")
             });
         }
     }

@@ -122,7 +122,7 @@ pub(crate) fn at_least_one(limit: usize, what: &str) -> Result<()> {
     if limit > 0 {
         return Ok(());
     }
-    Err(Error::InvalidOptions { reason: format!("the number of {what} is 0. Allow at least one") })
+    Err(Error::InvalidOptions { reason: format!("the number of {what} is 0. Give at least 1") })
 }
 
 /// A time limit that has begun.

@@ -130,7 +130,7 @@ fn turns(x: f64) -> String {
 }
 
 fn did_you_mean(x: f64) -> String {
-    format!("Angles are in radians; did you mean {}?", Surface::chosen().angle(x))
+    format!("Angles are in radians; if degrees are meant, give {}.", Surface::chosen().angle(x))
 }
 
 /// The constraints of a system at a pose like no other, for the effect of their numbers.
@@ -229,7 +229,7 @@ impl Asked<'_> {
         let written =
             constructor.and_then(|kind| surface.law(kind, &surface.number(x))).map(|is| (true, is));
         let (alone, is) = written.unwrap_or_else(|| (false, format!("{path} is {x}")));
-        let cause = if alone { format!("its law is {is}") } else { is };
+        let cause = if alone { format!("the law of the driver is {is}") } else { is };
         let time = self.system.unit_words().time();
         let does = match (number.role, &bodies[..]) {
             (Role::Rate, [body]) => {
@@ -251,7 +251,8 @@ impl Asked<'_> {
             Some(kind) => surface.law(kind, bare).unwrap_or_else(|| angle.clone()),
             None => angle.clone(),
         };
-        let text = format!("{does}: {cause}. Angles are in radians; did you mean {meant}?");
+        let text =
+            format!("{does}: {cause}. Angles are in radians; if degrees are meant, give {meant}.");
         let names: Vec<&str> =
             std::iter::once(driver).chain(bodies.iter().map(String::as_str)).collect();
         Warning::new(WarningKind::Degrees, &names, text)

@@ -40,9 +40,7 @@ pub(super) fn warning(system: &System, motion: &Motion, pivot: Option<f64>) -> O
     let t = at(motion.times()[0], motion.unit_words());
     let bodies: Vec<&str> = here.movable.iter().map(String::as_str).collect();
     let text = format!(
-        "The run begins at t = {t} near a singular position. There {} can move while the drivers hardly \
-         move, and the mechanism may go on in more than one way. Check that it moves as you mean, or \
-         begin farther from that position.",
+        "The run begins at t = {t} near a singular position. At this position {} can move while the drivers hardly move, and the mechanism may continue in more than one way. Check the motion, or begin farther from this position.",
         list(&here.movable),
     );
     Some(Warning::new(WarningKind::SingularStart, &bodies, text))

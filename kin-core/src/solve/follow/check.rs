@@ -70,10 +70,10 @@ impl Objection {
     pub(crate) fn reason(self) -> &'static str {
         match self {
             Objection::Long => "a body turns too far in one time step",
-            Objection::Missed(_) => "the next position differs from the predicted one",
+            Objection::Missed(_) => "the next position differs from the predicted position",
             Objection::TurnedOver => "a loop of the mechanism has turned over",
             Objection::Hidden => {
-                "a driver may move further within a time step than between its ends"
+                "a driver may move further within a time step than from its beginning to its end"
             }
         }
     }

@@ -38,7 +38,7 @@ impl Motion {
             let all = [distance.re, distance.v1, distance.v2, distance.v3];
             if all.iter().any(|x| !x.is_finite()) {
                 return Err(Error::OutputNotFinite {
-                    output: "rate of a distance of zero".to_string(),
+                    output: "velocity of a distance of zero".to_string(),
                     t,
                     units: self.unit_words().clone(),
                     value: distance.v1,

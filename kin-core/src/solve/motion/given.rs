@@ -74,5 +74,9 @@ fn ordered(times: &[f64]) -> Result<()> {
     }
     let up = times.windows(2).all(|pair| pair[0] < pair[1]);
     let down = times.windows(2).all(|pair| pair[0] > pair[1]);
-    if up || down { Ok(()) } else { bad("they must only increase or only decrease".to_string()) }
+    if up || down {
+        Ok(())
+    } else {
+        bad("the times must only increase or only decrease".to_string())
+    }
 }

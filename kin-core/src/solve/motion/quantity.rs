@@ -98,7 +98,7 @@ impl Motion {
         for (values, mark) in orders.iter().zip(MARKS) {
             let may_lack = mark == MARKS[3] && values.is_empty();
             if values.len() != self.len() && !may_lack {
-                let what = format!("`{name}{mark}`, one number a time");
+                let what = format!("`{name}{mark}`, one number per time");
                 return Err(Error::WrongLength { what, expected: self.len(), found: values.len() });
             }
             if let Some(k) = values.iter().position(|value| !value.is_finite()) {

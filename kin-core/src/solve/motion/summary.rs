@@ -52,7 +52,7 @@ impl Motion {
             displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
         if !told.is_empty() {
             text += &format!(
-                "\n  distance of the first position from the drawn one: {}",
+                "\n  distance of the first position from the drawn position: {}",
                 told.join(", ")
             );
         }
@@ -90,7 +90,7 @@ impl Motion {
                 "predictions satisfied the equations at most times (otherwise at most {}), ",
                 count(most, "Newton step")
             ),
-            (usual, _) => format!("{} a time (worst {most}), ", count(usual, "Newton step")),
+            (usual, _) => format!("{} per time (at most {most}), ", count(usual, "Newton step")),
         };
         let largest = self.worst.map_or(0.0, |(residual, _)| residual);
         let breaks = match self.breaks.iter().map(|crossed| crossed.found.order).min() {
@@ -113,7 +113,7 @@ impl Motion {
             count(self.layout.len(), "coordinate"),
             count(self.equations.len(), "equation"),
             count(self.len(), "time"),
-            count(first.first().copied().unwrap_or(0), "step"),
+            count(first.first().copied().unwrap_or(0), "Newton step"),
         )
     }
 
@@ -273,8 +273,7 @@ fn hint(
     match (moved, turned) {
         (_, Some(turned)) if item.kind != Kind::Spatial && turned > TAU => {
             let text = format!(
-                "`{name}` begins {turned:.1} rad from its guess, more than a turn. Angles are in \
-                 radians; if degrees are meant, {:.1}° is {}.",
+                "`{name}` begins {turned:.1} rad from its guess, which is more than a turn. Angles are in radians; if degrees are meant, {:.1}° is {}.",
                 shown(turned),
                 surface.angle(shown(turned))
             );
@@ -282,16 +281,14 @@ fn hint(
         }
         (Some(moved), _) if size > 0.0 && moved > 0.5 * size => {
             let text = format!(
-                "The first position of `{name}` is {moved:.3} {unit} from the drawn one, more than \
-                 half the mechanism's size. Constraints take points in the frame of their body; {}.",
+                "The first position of `{name}` is {moved:.3} {unit} from the drawn position, more than half the mechanism's size. {}.",
                 surface.in_body("local", name, "point")
             );
             Some((WarningKind::FarFromDrawn, text))
         }
         (_, Some(turned)) if item.kind == Kind::Spatial && turned > FRAC_PI_2 - THERE => {
             let text = format!(
-                "`{name}` is turned by {turned:.3} rad from how it is drawn. Constraints take axes in \
-                 the frame of their body; {}.",
+                "The first position of `{name}` is turned by {turned:.3} rad from the drawn position. {}.",
                 surface.in_body("local_direction", name, "h")
             );
             Some((WarningKind::FarFromDrawn, text))

@@ -24,8 +24,9 @@ impl Motion {
     /// let motion = m.build()?.run(linspace(0.0, 1.0, 11))?;
     /// assert_eq!(
     ///     motion.warnings()[0].to_string(),
-    ///     "`motor` turns `crank` at 360 rad/s (57 turns/s): its law is `Law::ramp(360.0)`. \
-    ///      Angles are in radians; did you mean `Law::ramp(TAU)`?"
+    ///     "`motor` turns `crank` at 360 rad/s (57 turns/s): the law of the driver is \
+    ///      `Law::ramp(360.0)`. Angles are in radians; if degrees are meant, give \
+    ///      `Law::ramp(TAU)`."
     /// );
     /// # Ok(())
     /// # }

@@ -56,7 +56,8 @@ pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
 
 /// Builds the error for a mechanism that cannot be compiled.
 pub(crate) fn refused(refusal: &Refusal) -> Error {
-    let reason = format!("{refusal}; {}", Surface::chosen().any_engine());
+    let reason =
+        format!("{refusal}. To let Kin choose the engine, {}", Surface::chosen().any_engine());
     Error::InvalidOptions { reason }
 }
 
@@ -211,19 +212,22 @@ fn wanted(
     times: usize,
     options: &SolverOptions,
 ) -> Result<(Wanted, Option<&'static str>)> {
-    let stands_in_the_way = (!options.predict).then_some("compiled runs always predict");
+    let stands_in_the_way =
+        (!options.predict).then_some("compiled runs always predict the next position");
     match (options.engine, stands_in_the_way) {
         (Engine::StepByStep, _) => Ok((Wanted::Plain, None)),
         (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
         (Engine::Compiled, Some(reason)) => Err(Error::InvalidOptions {
-            reason: format!("{reason}; {} for that", Surface::chosen().any_engine()),
+            reason: format!(
+                "{reason}. To let Kin choose the engine, {}",
+                Surface::chosen().any_engine()
+            ),
         }),
         (Engine::Auto, _) if !pays(system, times, options) => Ok((Wanted::Plain, None)),
         // The protocol of published comparisons is that of single steps.
-        (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => Ok((
-            Wanted::Plain,
-            Some("only the step-by-step solver has a stop rule by the residual alone"),
-        )),
+        (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => {
+            Ok((Wanted::Plain, Some("only the step-by-step solver can stop by the residual alone")))
+        }
         (Engine::Auto, None) => Ok((Wanted::Tried, None)),
         (Engine::Auto, reason) => Ok((Wanted::Plain, reason)),
     }

@@ -247,20 +247,20 @@ pub(crate) fn check(times: &[f64]) -> Result<()> {
         return Ok(());
     }
     if let Some((k, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
-        return fail(format!("number {k} is {t}. Give finite times"));
+        return fail(format!("the time with number {k} is {t}. Give finite times"));
     }
     let first = times[0];
     let last = times[times.len() - 1];
     if !(last - first).is_finite() {
         return fail(format!(
-            "from {first:e} to {last:e} is further than the largest number, {:e}. Give times that are closer together",
+            "the span from {first:e} to {last:e} is above the largest number, {:e}. Give times that are closer together",
             f64::MAX
         ));
     }
     let backwards = times.len() > 1 && times[1] < times[0];
     match times.windows(2).position(|pair| pair[0] == pair[1] || (pair[1] < pair[0]) != backwards) {
         Some(k) => fail(format!(
-            "{} is followed by {}. Give times that only increase, or only decrease",
+            "the time {} is followed by {}. Give times that only increase, or only decrease",
             times[k],
             times[k + 1]
         )),

@@ -91,8 +91,10 @@ impl Equations {
     /// Builds the error for a constraint that does not know its part of the jerk, from one of its
     /// rows.
     pub(crate) fn no_jerk(&self, row: usize) -> Error {
-        let reason =
-            format!("Kin does not know its part of the jerk; {}", Surface::chosen().no_jerk());
+        let reason = format!(
+            "Kin does not know how to compute the jerk of this constraint. To avoid this error, {}",
+            Surface::chosen().no_jerk()
+        );
         let [constraint, kind] = match self.block_of(row) {
             Some((block, _)) => [block.name.clone(), block.constraint.facts().kind.to_string()],
             None => Default::default(),

@@ -134,7 +134,7 @@ impl Reader {
                 .into_iter()
                 .flat_map(|row| self.convertible(row, n, call.place(0)))
                 .collect()),
-            _ => Err(Unreadable::new(call.path, "a matrix from this")),
+            _ => Err(Unreadable::new(call.path, "a matrix from this value")),
         }
     }
 

@@ -11,7 +11,7 @@ impl Reader {
             return self.each(base, &index.expr, &mut |reader, base| match base {
                 Value::Array(all) => reader.slice(&all, range),
                 value @ (Value::Poison | Value::Never | Value::Left) => Ok(value),
-                _ => Err(Unreadable::new(range, "a part of this")),
+                _ => Err(Unreadable::new(range, "a part of this value")),
             });
         }
         let at = self.expression(&index.index)?;
@@ -107,7 +107,7 @@ impl Reader {
             Some(value) => value.clone(),
             None => self.mistake(
                 &index.index,
-                format!("index {k} is out of range: this is {}", base.name()),
+                format!("index {k} is out of range: the value is {}", base.name()),
             ),
         }
     }

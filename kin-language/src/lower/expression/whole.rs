@@ -10,7 +10,7 @@ const MOST_INTEGERS: i64 = 64;
 impl Reader {
     /// Reads `x.clamp(0.0, 9.0) as usize`: the integer below x, as a choice among several.
     pub(super) fn whole_of(&mut self, x: Node, name: &str, cast: &syn::ExprCast) -> Read {
-        let unknown = || Unreadable::new(&cast.as_token, "turning a number into an integer");
+        let unknown = || Unreadable::new(&cast.as_token, "a cast of a number to an integer");
         let (low, high) = self.bounds(x).ok_or_else(unknown)?;
         // Below zero `as` rounds upwards.
         if !(low >= 0.0 && high <= 1e9 && fits(high as i64, name)) {

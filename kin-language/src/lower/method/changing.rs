@@ -177,14 +177,17 @@ impl Reader {
             }
             ("swap" | "insert" | "remove" | "rotate_left" | "rotate_right", _, [k, ..]) => {
                 let k = counts.iter().find(|k| **k >= all.len()).unwrap_or(k);
-                let text = format!("index {k} is out of range: this is an array of {}", all.len());
+                let text =
+                    format!("index {k} is out of range: the value is an array of {}", all.len());
                 return Ok(Some(self.mistake(&whole.method, text)));
             }
             _ => return Err(unknown()),
         }
         match self.put_at(place, Value::Array(all), whole) {
             Some(()) => Ok(Some(result)),
-            None => Err(Unreadable::new(&whole.method, "a change of a part of this length")),
+            None => {
+                Err(Unreadable::new(&whole.method, "a change of a part of an array of this length"))
+            }
         }
     }
 
@@ -202,7 +205,7 @@ impl Reader {
                 let greater = self.is_ordered(order, "Greater", given(whole))?;
                 let joined = (self.select(greater, &b, &a), self.select(greater, &a, &b));
                 let (Some(first), Some(second)) = joined else {
-                    return Err(Unreadable::new(&whole.method, "an order of these"));
+                    return Err(Unreadable::new(&whole.method, "an order of these values"));
                 };
                 (all[k], all[k + 1]) = (first, second);
             }

@@ -45,7 +45,7 @@ impl Reader {
                 return Ok(self.unknown(
                     call,
                     "a set of Euler parameters",
-                    "; it has `norm`, `norm_squared`, `dot`, `vector`, `conjugate`",
+                    ": the methods are `norm`, `norm_squared`, `dot`, `vector`, `conjugate`",
                 ));
             }
         };
@@ -125,7 +125,7 @@ impl Reader {
                 self.mistake(
                     place,
                     format!(
-                        "`{}` of a Vec{n} needs a Vec{n}, but this is a Vec{}",
+                        "`{}` of a Vec{n} needs a Vec{n}, but the argument is a Vec{}",
                         call.name,
                         w.len()
                     ),
@@ -152,7 +152,8 @@ impl Reader {
             "transpose" | "determinant" | "trace" | "to_array" => 0,
             "column" | "row" | "map" => 1,
             _ => {
-                let cure = "; it has `transpose`, `determinant`, `trace`, `column(k)`, `row(k)`";
+                let cure =
+                    ": the methods are `transpose`, `determinant`, `trace`, `column(k)`, `row(k)`";
                 return Ok(self.unknown(call, &format!("a Mat{n}"), cure));
             }
         };
@@ -198,11 +199,11 @@ impl Reader {
 
 fn vector_cure(name: &str) -> &'static str {
     match name {
-        "length" | "len" | "abs" | "magnitude" => "; it is `norm()`",
-        "length_squared" | "magnitude_squared" => "; it is `norm_squared()`",
-        "normalized" | "unit" => "; it is `normalize()`",
+        "length" | "len" | "abs" | "magnitude" => ": write `norm()`",
+        "length_squared" | "magnitude_squared" => ": write `norm_squared()`",
+        "normalized" | "unit" => ": write `normalize()`",
         _ => {
-            "; it has `dot`, `cross`, `norm`, `norm_squared`, `normalize`, `perp`, and the fields `x`, `y`"
+            ": the methods are `dot`, `cross`, `norm`, `norm_squared`, `normalize`, `perp`, and the fields `x`, `y`"
         }
     }
 }

@@ -57,7 +57,12 @@ impl Reader {
                             right.extend(pair.pop());
                             left.extend(pair.pop());
                         }
-                        _ => return Err(Unreadable::new(&call.whole.method, "`unzip` of these")),
+                        _ => {
+                            return Err(Unreadable::new(
+                                &call.whole.method,
+                                "`unzip` of these values",
+                            ));
+                        }
                     }
                 }
                 Ok(Value::Tuple(vec![Value::Array(left), Value::Array(right)]))

@@ -135,7 +135,9 @@ impl Reader {
                             .iter()
                             .fold(kept.clone(), |kept, (_, value)| lengthened(kept, value))),
                         Value::Adt(adt) if adt.name == "None" => Ok(kept.clone()),
-                        _ => Err(Unreadable::new(&call.whole.method, "`filter_map` of these")),
+                        _ => {
+                            Err(Unreadable::new(&call.whole.method, "`filter_map` of these values"))
+                        }
                     })
                 })
             }
@@ -144,7 +146,7 @@ impl Reader {
                 self.each(result, call, &mut |_, result| match result {
                     Value::Adt(adt) if adt.name == "None" => Ok(found.clone()),
                     some @ Value::Adt(_) => Ok(some),
-                    _ => Err(Unreadable::new(&call.whole.method, "`find_map` of these")),
+                    _ => Err(Unreadable::new(&call.whole.method, "`find_map` of these values")),
                 })
             }),
             name => {
@@ -187,7 +189,7 @@ impl Reader {
                 _ => {
                     return Err(Unreadable::new(
                         &call.whole.method,
-                        format!("`{}` of these", call.name),
+                        format!("`{}` of these values", call.name),
                     ));
                 }
             }
@@ -205,7 +207,7 @@ impl Reader {
         Ok(Value::Iterator(match (call.name.as_str(), count) {
             ("skip", k) => all.into_iter().skip(k).collect(),
             ("take", k) => all.into_iter().take(k).collect(),
-            (_, 0) => return Err(Unreadable::new(&call.whole.method, "a step of nothing")),
+            (_, 0) => return Err(Unreadable::new(&call.whole.method, "a step of zero")),
             ("step_by", k) => all.into_iter().step_by(k).collect(),
             ("windows", k) => lists(all.windows(k).map(<[Value]>::to_vec).collect()),
             ("chunks", k) => lists(all.chunks(k).map(<[Value]>::to_vec).collect()),
@@ -221,7 +223,7 @@ impl Reader {
                 (Value::Scalar(a), Value::Scalar(b)) => {
                     self.graph.compare(Comparison::Equal, a, *b)
                 }
-                _ => return Err(Unreadable::new(&call.whole.method, "`contains` of these")),
+                _ => return Err(Unreadable::new(&call.whole.method, "`contains` of these values")),
             };
             any = self.graph.or(any, same);
         }

@@ -197,7 +197,7 @@ impl Reader {
                 return Ok(self.unknown(
                     call,
                     "a Law",
-                    "; get a value with `.at(x)`, for its derivative with `.slope(x)`",
+                    ": write `.at(x)` for a value and `.slope(x)` for a derivative",
                 ));
             }
         };

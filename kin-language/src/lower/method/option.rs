@@ -118,7 +118,7 @@ impl Reader {
                 }
                 _ => Value::none(),
             }),
-            _ => Err(Unreadable::new(&call.whole.method, "`zip` of these")),
+            _ => Err(Unreadable::new(&call.whole.method, "`zip` of these values")),
         })
     }
 
@@ -138,9 +138,11 @@ impl Reader {
             ("cmp" | "eq" | "ne", _) => {
                 Err(Unreadable::new(&call.whole.method, format!("`{}` of a condition", call.name)))
             }
-            _ => {
-                Ok(self.unknown(call, "a condition", "; convert it by `if … { 1.0 } else { 0.0 }`"))
-            }
+            _ => Ok(self.unknown(
+                call,
+                "a condition",
+                ": write `if … { 1.0 } else { 0.0 }` for a number",
+            )),
         }
     }
 }

@@ -44,7 +44,10 @@ impl Reader {
             other if other.numbers().is_some() || matches!(other, Value::Condition(_)) => {
                 self.told_by_rustc(
                     at,
-                    &format!("this must be an order, `a.total_cmp(b)`, but it is {}", other.name()),
+                    &format!(
+                        "expected an order such as `a.total_cmp(b)`, but found {}",
+                        other.name()
+                    ),
                 )
                 .ok_or_else(|| Unreadable::new(at, "an unknown order"))?;
                 Ok(self.graph.bool(false))

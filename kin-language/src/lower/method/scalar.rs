@@ -93,7 +93,7 @@ impl Reader {
             other => Ok(self.mistake(
                 place,
                 format!(
-                    "`powi` takes an integer, but this is {}; `powf` takes a number",
+                    "`powi` takes an integer, but the exponent is {}: write `powf` for a number",
                     other.name()
                 ),
             )),
@@ -175,7 +175,7 @@ impl Reader {
                 _ => {
                     return Err(Unreadable::new(
                         call.places[0],
-                        "integer arithmetic with something unknown",
+                        "integer arithmetic with an unknown value",
                     ));
                 }
             },
@@ -289,11 +289,11 @@ const OTHER_METHODS_OF_F64: &[&str] = &[
 
 fn cure(name: &str) -> &'static str {
     match name {
-        "pow" => "; `powi` takes an integer, `powf` a number",
-        "square" => "; write `x * x` or `x.powi(2)`",
-        "arctan2" | "atan_2" => "; it is `y.atan2(x)`",
-        "norm" => "; the size of a number is `abs()`",
-        "arcsin" | "arccos" | "arctan" => "; f64's names are `asin`, `acos`, `atan`",
-        _ => "; it has those of f64, such as `sin`, `sqrt`, `atan2`, `powi`, `hypot`, `max`",
+        "pow" => ": write `powi` for an integer exponent, `powf` for a number",
+        "square" => ": write `x * x` or `x.powi(2)`",
+        "arctan2" | "atan_2" => ": write `y.atan2(x)`",
+        "norm" => ": write `abs()`",
+        "arcsin" | "arccos" | "arctan" => ": the names of f64 are `asin`, `acos`, `atan`",
+        _ => ": use a method of f64, such as `sin`, `sqrt`, `atan2`, `powi`, `hypot`, `max`",
     }
 }

@@ -17,8 +17,8 @@ impl Reader {
         }
         if !matches!(name, "point" | "direction" | "local") {
             let cure = match self.state_field(slot, n, name) {
-                Some(_) => format!("; `{name}` is a field, without `()`"),
-                None => "; it has `a()`, `point(u)`, `direction(h)`, `local(p)`".into(),
+                Some(_) => format!(": write the field `{name}` without `()`"),
+                None => ": the methods are `a()`, `point(u)`, `direction(h)`, `local(p)`".into(),
             };
             return Ok(self.unknown(call, &format!("the state of {body}"), &cure));
         }
@@ -28,8 +28,10 @@ impl Reader {
         let place = call.places[0];
         let value = match call.arguments[0].clone().referent() {
             Value::Vector(v) if v.len() != n => {
-                let text =
-                    format!("`{name}` of {body} needs a Vec{n}, but this is a Vec{}", v.len());
+                let text = format!(
+                    "`{name}` of {body} needs a Vec{n}, but the argument is a Vec{}",
+                    v.len()
+                );
                 self.mistake(place, text)
             }
             value => value,

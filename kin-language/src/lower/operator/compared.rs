@@ -49,7 +49,7 @@ impl Reader {
         let (Some((a, shape)), Some((b, other))) = (left.numbers(), right.numbers()) else {
             return match (left, right) {
                 (Value::Tuple(_) | Value::Array(_), Value::Tuple(_) | Value::Array(_)) => {
-                    Err(Unreadable::new(at, "a comparison of these"))
+                    Err(Unreadable::new(at, "a comparison of these values"))
                 }
                 _ => Ok(self.operator_mistake(op, left, right, at)),
             };

@@ -81,7 +81,7 @@ impl Reader {
             if let (Value::Adt(Adt { name, .. }), true) = (value, number)
                 && matches!(name.as_str(), "Some" | "None" | "Ok" | "Err")
             {
-                let text = "this may hold no number: match it with `if let Some(x) = …`, or give a default, `.unwrap_or(0.0)`";
+                let text = "the value may be `None`: write `if let Some(x) = …`, or give a default by `.unwrap_or(0.0)`";
                 return Ok(self.mistake(place, text));
             }
         }

@@ -105,9 +105,9 @@ fn why_a_formula_cannot_be_read() {
     };
     const LAW: &str = "\nparameters\nrows 1\n- Time\n- Law 0 0 0";
     assert_eq!(reason(LAW, Law::ramp(1.0)), "");
-    assert!(reason(LAW, Law::new(Silent)).contains("Kin has no bounds of its law"));
+    assert!(reason(LAW, Law::new(Silent)).contains("Kin has no bounds of the law"));
     let rounded = reason("\nparameters\nrounded\nrows 0\n- Column 0", Law::ramp(1.0));
-    assert_eq!(rounded, "its constants are rounded before they can be read");
+    assert_eq!(rounded, "rustc rounds the constants of the equation before Kin reads them");
     assert_eq!(
         reason("\nparameters k\nrows 1\n- Parameter 0\n- Foreign 0 0 0", Law::ramp(1.0)),
         ""
@@ -414,7 +414,7 @@ fn one_constraint_alone() {
         .and_then(|_| m.build())
         .map(|system| Bounds::new(&system).map(|_| ()).unwrap_err().to_string());
     assert!(
-        error.as_ref().is_ok_and(|error| error.contains("its equation has too many operations")),
+        error.as_ref().is_ok_and(|error| error.contains("the equation has too many operations")),
         "{error:?}"
     );
 }

@@ -206,13 +206,13 @@ impl Cover<'_> {
         let at = at.chain(times).collect::<Vec<_>>().join(", ");
         let reason = match fault {
             Fault::Singular => format!(
-                "near {at} the pose may be singular: some mechanisms within the tolerances may not assemble, or may change branch. `samples` counts them"
+                "near {at} the pose may be singular: some mechanisms within the tolerances may not assemble, or may change branch. `samples` counts these mechanisms"
             ),
             Fault::Unknown(unknown) => {
                 let equation = self.system.equations().equation(unknown.row);
                 let expression = unknown.expression.as_ref();
-                let expression =
-                    expression.map(|(text, _)| format!(": `{text}` jumps there, or has no slope"));
+                let expression = expression
+                    .map(|(text, _)| format!(": `{text}` jumps near this value, or has no slope"));
                 format!(
                     "near {at} Kin knows no bounds of `{equation}`{}",
                     expression.unwrap_or_default()

@@ -60,7 +60,7 @@ impl<'a> Equations<'a> {
                     let own = format!("{}.{name}", system.equations().blocks[*constraint].name);
                     return Err(refused(
                         &own,
-                        "is an axis that depends on dimensions, and Kin has no bounds of it",
+                        "is an axis that depends on dimensions, and Kin has no bounds of such an axis",
                     ));
                 }
                 _ => continue,
@@ -227,15 +227,15 @@ fn parameter(
         let Formula { graph, rows, parameters, .. } = table.formula();
         let k = parameters.iter().position(|known| known == name);
         let law =
-            "is a coefficient of a law, of which Kin has bounds at one value only. Remove its tolerance";
+            "is a coefficient of a law, and Kin has bounds of this law at one value only. Remove the tolerance of the coefficient";
         let k = k.ok_or(law)?;
         if graph.reachable(rows).into_iter().any(|node| is_foreign(graph, node, k)) {
             return Err(
-                "goes into a user-defined function, of which Kin has bounds at one value only. Write out its expression",
+                "is an argument of a user-defined function, and Kin has bounds of this function at one value only. Write the expression of the function in the equation",
             );
         }
         let held = values.get(k).is_some_and(|held| value.value().contains(*held));
-        held.then_some(k).ok_or("is not the number that its dimensions give")
+        held.then_some(k).ok_or("differs from the value of its dimensions")
     });
     found.unwrap_or(Err("is in no equation that Kin knows as a formula"))
 }

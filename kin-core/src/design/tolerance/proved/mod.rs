@@ -103,7 +103,7 @@ pub(super) fn proved<M: Measure>(
     let coordinate = followed.what.coordinate(system).ok_or_else(|| Error::CannotBeProved {
         what: format!("the worst case of {}", followed.name),
         reason: format!(
-            "Kin has bounds of coordinates only. {}, with an equation that defines it",
+            "Kin has bounds of coordinates only. {}, and an equation that defines the coordinate",
             Surface::chosen().coordinate()
         ),
     })?;
@@ -181,7 +181,7 @@ impl Proof<'_> {
             return Ok(trail);
         }
         let reason =
-            format!("the computed position at t = {} is not the one that is proved", turn.t);
+            format!("the computed position at t = {} differs from the proved position", turn.t);
         Err(cover.refused(reason))
     }
 
@@ -239,7 +239,7 @@ impl Proof<'_> {
         let Some(halves) = halves else {
             let t = node.sides.last().map_or(f64::NAN, |side| side.mid());
             let reason = format!(
-                "Kin cannot prove that it reverses before t = {} for all dimensions",
+                "Kin cannot prove that the measure reverses before t = {} for all dimensions",
                 digits(t, 5)
             );
             return Err(self.cover.refused(reason));
@@ -302,7 +302,7 @@ impl Proof<'_> {
         if farthest.is_finite() {
             return Ok(side * farthest);
         }
-        Err(self.cover.refused("its bounds are not finite".to_string()))
+        Err(self.cover.refused("the bounds of the measure are not finite".to_string()))
     }
 
     /// Returns the times over which a bound is taken.

@@ -191,7 +191,7 @@ fn moves_of_no_length_and_limits_that_make_no_sense() {
     let said = |law: Law| law.refusal().unwrap_or_default();
     let words = |kind: &str| {
         format!(
-            "{kind}: speed, acceleration and jerk must be above zero; the distance has the sign"
+            "{kind}: speed, acceleration and jerk must be above zero; give the sign of the motion to the distance"
         )
     };
     for wrong in [0.0, -1.0] {

@@ -47,8 +47,14 @@ fn intervals_and_places() {
 fn tables_that_make_no_sense() {
     let said =
         |table: &[(f64, f64)], ends| points(table, ends).refusal("spline").unwrap_or_default();
-    assert_eq!(said(&TABLE[..1], Ends::Natural), "spline: the table has 1 points; it needs 2");
-    assert_eq!(said(&TABLE[..2], Ends::Periodic), "spline: the table has 2 points; it needs 3");
+    assert_eq!(
+        said(&TABLE[..1], Ends::Natural),
+        "spline: the table has 1 points. Give at least 2 points"
+    );
+    assert_eq!(
+        said(&TABLE[..2], Ends::Periodic),
+        "spline: the table has 2 points. Give at least 3 points"
+    );
     assert_eq!(
         (
             said(&TABLE[..2], Ends::Natural),
@@ -67,11 +73,11 @@ fn tables_that_make_no_sense() {
     );
     assert_eq!(
         said(&[(0.0, 1.0), (1.0, 0.0), (1.0, 2.0)], Ends::Natural),
-        "spline: the table does not increase: x = 1 is followed by 1 (point 3)"
+        "spline: the values of x must increase, but x = 1 is followed by 1 (point 3)"
     );
     assert_eq!(
         said(&[(0.0, 1.0), (-1.0, 0.0)], Ends::Natural),
-        "spline: the table does not increase: x = 0 is followed by -1 (point 2)"
+        "spline: the values of x must increase, but x = 0 is followed by -1 (point 2)"
     );
     assert_eq!(
         said(&[(0.0, 1.0), (f64::NAN, 2.0), (1.0, f64::NAN)], Ends::Natural),
@@ -80,13 +86,13 @@ fn tables_that_make_no_sense() {
     let twice = [(0.0, 1.0), (-1.0, 0.0), (2.0, 0.0), (1.0, 0.0)];
     assert_eq!(
         said(&twice, Ends::Natural),
-        "spline: the table does not increase: x = 0 is followed by -1 (point 2)"
+        "spline: the values of x must increase, but x = 0 is followed by -1 (point 2)"
     );
     let open =
         |y: f64, off: f64| said(&[(0.0, y), (1.0, -3.0 * y), (2.0, y + off)], Ends::Periodic);
     assert_eq!(
         open(1.0, 0.5),
-        "spline: a periodic table ends as it begins, but y is 1 at first and 1.5 at last"
+        "spline: the first and the last y of a periodic table must be equal, but the first is 1 and the last is 1.5"
     );
     for y in [1.0, -1.0, 1e9, -1e-9] {
         // nine digits of the largest
@@ -181,8 +187,8 @@ fn tables_from_files() {
     );
     assert!(said("0,1\nt,x\n").ends_with("line 2: `t,x` is not two numbers"));
     assert!(said("0,1\n1\n").ends_with("line 2: `1` is not two numbers"));
-    assert!(said("0,1\n0,2\n").contains("does not increase: x = 0 is followed by 0 (point 2)"));
-    assert!(said("t,x\n").contains("the table has 0 points; it needs 2"));
+    assert!(said("0,1\n0,2\n").contains("x must increase, but x = 0 is followed by 0 (point 2)"));
+    assert!(said("t,x\n").contains("the table has 0 points. Give at least 2"));
     assert!(read("broken", &[b'0', b',', 0xff, b'\n', b'1', b',', 0xff]).is_err());
     assert!(
         Law::spline_from_csv("/no/such/file.csv", Ends::Natural)

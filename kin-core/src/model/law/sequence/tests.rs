@@ -184,7 +184,7 @@ fn sequences_that_make_no_sense() {
     let said = |parts: &[(f64, Law)]| {
         Law::sequence(0.0, parts.iter().cloned()).refusal().unwrap_or_default()
     };
-    assert_eq!(said(&[]), "sequence: there is no part in it");
+    assert_eq!(said(&[]), "sequence: the list of parts is empty. Give at least one part");
     assert_eq!(
         said(&[(1.0, constant(0.0)), (0.0, constant(0.0))]),
         "part 2 of the sequence has the length 0. Give a value above zero"
@@ -210,7 +210,7 @@ fn sequences_that_make_no_sense() {
     ];
     assert_eq!(
         said(&parts),
-        "parts 2 and 3 of the sequence do not meet: the first ends at 1.5, the second begins at 2"
+        "parts 2 and 3 of the sequence do not meet: part 2 ends at 1.5, and the next part begins at 2"
     );
     assert_eq!(said(&parts[..2]), "");
     // A last part that jumps at its very end: no parts that do not meet, but a break.
@@ -334,7 +334,7 @@ fn laws_that_do_not_repeat_and_their_parameters() {
     let said = |law: Law, period: f64| law.periodic(period).refusal().unwrap_or_default();
     assert_eq!(
         said(Law::ramp(1.0), 2.0),
-        "the law does not repeat after 2: it begins at 0 and ends at 2"
+        "the law does not repeat after 2: the period begins at 0 and ends at 2"
     );
     assert_eq!(said(Law::ramp(1.0), 0.0), "periodic: the period must be above zero (period = 0)");
     assert_eq!(said(Law::ramp(1.0), -1.0), "periodic: the period must be above zero (period = -1)");
