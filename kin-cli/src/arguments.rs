@@ -35,6 +35,8 @@ pub enum Command {
     Diagnose(Diagnose),
     /// All assemblies at one time, as CSV
     Assemblies(Assemblies),
+    /// The position at given values of the drivers, on the branch of the assembled position
+    Pose(Pose),
     /// A measure of a joint or a coordinate over time, as CSV, and its extremes
     Measure(Measure),
     /// Proves by interval bounds that the computed motion is the only one
@@ -190,6 +192,29 @@ pub struct Assemblies {
     /// The same as JSON, with the reason why the list is complete or not
     #[arg(long, value_name = "FILE")]
     pub json: Option<String>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Pose {
+    #[command(flatten)]
+    pub model: Model,
+    /// Moves a driver to this value, along the branch; all of them together on a straight line
+    #[arg(long = "to", required = true, value_name = "DRIVER=VALUE")]
+    pub to: Vec<Setting>,
+    /// The time at which the mechanism is assembled before it moves   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
+    /// The file for the table of drivers, coordinates and measures; `-` means standard output
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+    /// The same as JSON
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
+    /// The position as SVG
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<String>,
+    #[command(flatten)]
+    pub misfit: AllowedMisfit,
 }
 
 #[derive(Clone, Debug, Args)]

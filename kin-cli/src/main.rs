@@ -39,6 +39,7 @@ fn done(command: &Command, say: &Say) -> Result<(), Fault> {
         Command::Check(asked) => commands::check(asked, say),
         Command::Diagnose(asked) => commands::diagnose(asked, say),
         Command::Assemblies(asked) => commands::assemblies(asked, say),
+        Command::Pose(asked) => commands::pose(asked, say),
         Command::Measure(asked) => commands::measure(asked, say),
         Command::Prove(asked) => commands::prove(asked, say),
         Command::Sensitivities(asked) => commands::sensitivities(asked, say),

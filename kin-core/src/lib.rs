@@ -59,7 +59,7 @@ pub use system::System;
 pub mod error {
     pub use crate::model::dimension::DimensionError;
     pub use crate::model::error::surface::Surface;
-    pub use crate::model::error::{Error, OtherMotion, Result};
+    pub use crate::model::error::{CannotReach, Error, OtherMotion, Result};
     pub use crate::model::growth::Unbounded;
     pub use crate::model::jammed::Jammed;
     pub use crate::model::no_derivative::NoDerivative;
@@ -87,7 +87,9 @@ pub mod mechanism {
 
 /// Options and questions of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
 pub mod solver {
+    pub use crate::ask::follower::{Configuration, Follower};
     pub use crate::ask::solver::At;
+    pub use crate::model::named_value::NamedValue;
     pub use crate::solve::assembly::{
         Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions,
     };

@@ -4,6 +4,7 @@
 mod axes;
 mod cache;
 pub(crate) mod dimensions;
+mod drivers;
 pub(crate) mod evaluate;
 pub(crate) mod measures;
 pub(crate) mod parameters;
@@ -253,6 +254,12 @@ impl System {
     /// Discards everything derived from the system, because something was set.
     pub(crate) fn forget(&mut self) {
         self.linear.forget();
+        self.cache.forget();
+    }
+
+    /// Discards what other rooms derive from the system, because time acts in another way. The
+    /// recorded elimination remains: it depends on C_q alone.
+    pub(crate) fn forget_derived(&mut self) {
         self.cache.forget();
     }
 

@@ -2,6 +2,7 @@
 
 use kin::Error;
 use kin::error::{DimensionError, Jammed};
+use kin::solver::NamedValue;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use serde_json::{Value, json};
@@ -94,6 +95,22 @@ fn facts(error: &Error) -> (&'static str, Value) {
         }
         Error::WrongLength { what, expected, found } => {
             ("WrongLength", json!({ "what": what, "expected": expected, "found": found }))
+        }
+        Error::CannotReach(stop) => {
+            let values = |all: &[NamedValue]| -> Value {
+                all.iter().map(|driver| (driver.name.clone(), json!(driver.value))).collect()
+            };
+            (
+                "CannotReach",
+                json!({
+                    "asked": values(&stop.asked),
+                    "reached": values(&stop.reached),
+                    "singular": stop.singular,
+                    "movable": stop.movable,
+                    "dependent": stop.dependent,
+                    "reason": stop.reason,
+                }),
+            )
         }
         Error::Dimension(found) => ("DimensionError", of_dimension(found)),
         Error::NotUnique(_) => ("NotUnique", json!({})),

@@ -7,6 +7,7 @@
 mod design;
 mod equation;
 mod fault;
+mod follower;
 mod forces;
 mod given;
 mod held;
@@ -36,6 +37,8 @@ mod _native {
     use crate::design::{Derivatives, gradient, samples, toggle_by, tolerance};
     #[pymodule_export]
     use crate::equation::Equation;
+    #[pymodule_export]
+    use crate::follower::Follower;
     #[pymodule_export]
     use crate::forces::{Forces, solid_joined, solid_of, solid_turned};
     #[pymodule_export]

@@ -234,6 +234,12 @@ impl Parameters for ReadConstraint {
         }
     }
 
+    fn set_law(&mut self, name: &str, law: &Law) -> bool {
+        let Some(k) = self.read.signature.law(name) else { return false };
+        self.laws[k] = law.clone();
+        true
+    }
+
     fn take_bindings(&mut self) -> Bindings {
         std::mem::take(&mut self.bindings)
     }

@@ -6,6 +6,7 @@ mod change_points;
 mod coarse;
 mod effort;
 mod failures;
+mod follower;
 mod models;
 mod moved;
 mod pairs;

@@ -3,6 +3,7 @@
 mod ask;
 mod forces;
 mod import;
+mod pose;
 mod run;
 mod shell;
 mod sweep;
@@ -10,6 +11,7 @@ mod sweep;
 pub use ask::{assemblies, check, diagnose, measure, prove, sensitivities, tolerance};
 pub use forces::forces;
 pub use import::import;
+pub use pose::pose;
 pub use run::{run, watch};
 pub use shell::{completions, manual, schema};
 pub use sweep::sweep;

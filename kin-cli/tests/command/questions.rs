@@ -335,3 +335,54 @@ fn closure_is_allowed_by_a_flag() {
     data(&["run", &file, "--times", "0:1:11", "--allowed-misfit", flag, "--csv", "-"]);
     data(&["check", &file, "--allowed-misfit", flag]);
 }
+
+/// A pose by the value of a driver is that of a run at the time at which the driver has this value.
+#[test]
+fn a_pose_is_found_by_the_value_of_its_driver() {
+    let m = example("04_four_bar");
+    let json: Value = serde_json::from_str(&data(&[
+        "pose",
+        &m,
+        "--to",
+        "motor=2.5",
+        "--csv",
+        "/dev/null",
+        "--json",
+        "-",
+    ]))
+    .expect("JSON");
+    assert_eq!(json["drivers"]["motor"], 2.5);
+    let angle = json["coordinates"]["rocker.theta"].as_f64().expect("a number");
+    let start: Value = serde_json::from_str(&data(&[
+        "pose",
+        &m,
+        "--to",
+        "motor=0",
+        "--csv",
+        "/dev/null",
+        "--json",
+        "-",
+    ]))
+    .expect("JSON");
+    let rate = std::f64::consts::TAU;
+    let t = format!("0,{}", 2.5 / rate);
+    let table = data(&["measure", &m, "rocker.theta", "--times", &t]);
+    let rows = numbers(&table);
+    assert!((rows[1][1] - angle).abs() < 1e-9, "{rows:?} {angle}");
+    assert!(
+        (rows[0][1] - start["coordinates"]["rocker.theta"].as_f64().expect("a number")).abs()
+            < 1e-9
+    );
+    let table = data(&["pose", &m, "--to", "motor=2.5"]);
+    assert!(table.starts_with("what,name,value,unit\ndriver,motor,2.5000000000000000e0,rad\n"), "{table}");
+    assert!(table.contains("measure,O.angle,"), "{table}");
+}
+
+#[test]
+fn a_pose_with_a_wrong_driver_names_the_known_ones() {
+    let m = example("04_four_bar");
+    let output = done(&["pose", &m, "--to", "crank=1"]);
+    let told = words(&output);
+    assert_eq!(code(&output), 2);
+    assert!(told.contains("there is no driver `crank`") && told.contains("`motor`"), "{told}");
+}

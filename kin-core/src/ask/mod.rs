@@ -5,6 +5,7 @@ mod build;
 mod calls;
 pub mod check;
 pub mod diagnosis;
+pub mod follower;
 pub mod measure;
 pub mod proof;
 mod rates;

@@ -7,13 +7,10 @@ use std::fmt;
 
 use super::calls::Forces;
 use super::multipliers::LOOSE;
-use crate::model::coordinates::Target;
 use crate::model::error::{Error, Result};
 use crate::model::motion::Series;
 use crate::model::not_unique::NotUnique;
-use crate::model::units::{Unit, Units};
-use crate::system::System;
-use crate::system::evaluate::Block;
+use crate::model::units::Units;
 use by_law::{Led, Share};
 
 /// The efforts and the power of a driver.
@@ -154,26 +151,4 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
     let power = (0..motion.len()).map(power).collect();
     let power = Series::new(format!("{}.power", block.name), units.power(), motion.clock(), power);
     Ok(Drive { efforts, power })
-}
-
-/// Returns the unit of a row from its documentation (`[m]`, `[rad, m]`), or from the coordinate
-/// that it drives.
-fn unit_of_row(system: &System, block: &Block, k: usize) -> Option<String> {
-    if let [only] = block.constraint.arguments().as_slice()
-        && let Target::Coord(..) = only.target
-    {
-        let layout = system.layout();
-        let column = layout.columns(only).first().copied().flatten()?;
-        return Some(match layout.units[column] {
-            Unit::Metre => "m".to_string(),
-            Unit::Radian => "rad".to_string(),
-            Unit::One => "-".to_string(),
-        });
-    }
-    let facts = block.constraint.facts();
-    let text = facts.description.split("\n\n").next()?.replace('\\', "");
-    let (_, after) = text.rsplit_once('[')?;
-    let words: Vec<&str> = after.split(']').next()?.split(',').map(str::trim).collect();
-    let word = if words.len() == 1 { words.first() } else { words.get(k) };
-    word.map(|word| word.to_string())
 }

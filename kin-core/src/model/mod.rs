@@ -18,6 +18,7 @@ pub(crate) mod loads;
 pub mod mechanism;
 pub(crate) mod mismatch;
 pub mod motion;
+pub(crate) mod named_value;
 pub(crate) mod no_derivative;
 pub(crate) mod not_unique;
 pub mod state;

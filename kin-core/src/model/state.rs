@@ -207,6 +207,11 @@ impl<'a> At<'a> {
         At { timed, ..self }
     }
 
+    /// Returns the same positions at another time.
+    pub(crate) fn at_time(self, t: f64) -> Self {
+        At { t, ..self }
+    }
+
     /// Switches to another constraint at the same instant.
     #[inline(always)]
     pub(crate) fn turn(&mut self, arguments: &'a [Offsets], timed: &'a [f64]) {

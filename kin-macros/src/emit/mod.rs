@@ -125,8 +125,8 @@ fn unlinted() -> TokenStream {
     quote!(#[allow(unused, non_snake_case, clippy::all, clippy::pedantic, clippy::nursery)])
 }
 
-/// `parameters`, and `set_parameter` with `set_parameter_at`: laws and vectors know their own
-/// parts.
+/// `parameters`, and `set_parameter` with `set_parameter_at` and `set_law`: laws and vectors know
+/// their own parts.
 fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
     let numeric: Vec<_> = arguments
         .iter()
@@ -140,6 +140,17 @@ fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
             ::kin::emitted::visit(&[#((#texts, &self.#numeric)),*], visit);
         }
     };
+    let laws: Vec<_> =
+        arguments.iter().filter(|a| matches!(a.kind, Kind::Law)).map(|a| &a.name).collect();
+    let law_names: Vec<String> =
+        laws.iter().map(|name| syn::ext::IdentExt::unraw(*name).to_string()).collect();
+    let set_law = (!laws.is_empty()).then(|| {
+        quote! {
+            fn set_law(&mut self, name: &str, law: &::kin::Law) -> bool {
+                ::kin::emitted::set_law(&mut [#((#law_names, &mut self.#laws)),*], name, law)
+            }
+        }
+    });
     let set = quote! {
         fn set_parameter(&mut self, name: &str, value: f64) -> bool {
             ::kin::emitted::set(&mut [#((#texts, &mut self.#numeric)),*], name, value)
@@ -147,6 +158,7 @@ fn parameter_methods(arguments: &[Argument]) -> (TokenStream, TokenStream) {
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
             ::kin::emitted::set_at(&mut [#(&mut self.#numeric),*], index, value)
         }
+        #set_law
     };
     (visit, set)
 }

@@ -28,6 +28,7 @@ from ._design import (
     Sensitivity,
     Tolerance,
 )
+from ._follower import Configuration, Configurations, Follower
 from ._forces import Balance, BodyWrench, Drive, Energy, Forces, Growth, Reaction
 from ._friction import Friction
 from ._functions import (

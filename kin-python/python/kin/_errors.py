@@ -49,6 +49,11 @@ class Toggle(Error):
     """A toggle: no position exists beyond its time `t`."""
 
 
+class CannotReach(Error):
+    """A follower that stopped before the values it was given: `reached` holds the values of the drivers there, `asked` those it was
+    given, by name."""
+
+
 class CannotFollow(Error):
     """A step that may have left its branch, and cannot be made any shorter."""
 

@@ -11,6 +11,7 @@ from . import _mistakes, _native
 from ._diagnosis import Diagnosis
 from ._errors import Error
 from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _of
+from ._follower import Follower
 from ._forces import Forces
 from ._handles import Coordinate
 from ._pictures import Page, Picture
@@ -284,6 +285,14 @@ class System:
     def picture(self, motion: Motion, t: Optional[float] = None, *, poses: int = 12) -> Picture:
         """The mechanism at a time of the motion, or some poses of it on one another, as SVG."""
         return Picture(self._native.picture(motion._native, t, poses))
+
+    def follower(self, t: float = 0.0, **options: Any) -> Follower:
+        """A follower on the branch of the assembled position at time t. It moves by values of drivers instead of by time:
+        `follower.to(motor=0.63)`. The options are those of `run`.
+
+        Raises the errors of `position`, and one if no law of time drives the mechanism.
+        """
+        return Follower(self._native.follower(t, options or None), self._native)
 
     def compile(self) -> Compiled:
         """What its rows give and what is left to Newton's method, as one program; or an error that names why not."""

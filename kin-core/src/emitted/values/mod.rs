@@ -17,6 +17,6 @@ pub use foreign::{
     ReceiveReference, Returned, returned,
 };
 pub use lift::{Absent, Constants, Lift, Lower, absent, constants, lowered};
-pub use numbers::{Numbers, set, set_at, visit};
+pub use numbers::{Numbers, set, set_at, set_law, visit};
 pub use parameter::{Named, Own, Parameter, held, is_parameter};
 pub use probe::{AsIs, Converted, Probe, Same, TakesAsIs, TakesConverted, of};

@@ -14,6 +14,13 @@ pub trait Numbers {
     fn set_at(&mut self, index: &mut usize, value: f64) -> bool;
 }
 
+/// Replaces the law called `wanted` among them; false if there is none.
+pub fn set_law(laws: &mut [(&str, &mut Law)], wanted: &str, law: &Law) -> bool {
+    let Some((_, place)) = laws.iter_mut().find(|(name, _)| *name == wanted) else { return false };
+    **place = law.clone();
+    true
+}
+
 /// Shows the numbers of some parameters.
 pub fn visit(parameters: &[(&str, &dyn Numbers)], visit: &mut dyn FnMut(&str, f64)) {
     parameters.iter().for_each(|(name, parameter)| parameter.visit(name, visit));

@@ -2,7 +2,6 @@
 
 use nalgebra::DVector;
 
-use super::unit_of_row;
 use crate::ask::measure::Measure;
 use crate::model::error::{Error, Result};
 use crate::model::motion::Series;
@@ -78,7 +77,7 @@ impl System {
             slopes.map(|slope| if slope == 0.0 { f64::INFINITY } else { slope.recip() }).collect();
         let units = motion.unit_words();
         let name = format!("{drive}.advantage on {}", moved.value.name());
-        let input = unit_of_row(self, block, 0).map(|unit| units.in_own_words(&unit));
+        let input = self.unit_of_row(block, 0).map(|unit| units.in_own_words(&unit));
         let unit = unit(input.as_deref().unwrap_or("-"), moved.value.unit());
         Ok(Series::new(name, unit, motion.clock(), values))
     }

@@ -4,6 +4,7 @@
 use super::Constraint;
 use crate::model::describer::Describer;
 use crate::model::dimension::Bindings;
+use crate::model::law::Law;
 
 /// The parameters of a constraint. [`Constraint::parts`] returns them; compiled constraints
 /// implement this trait.
@@ -28,6 +29,13 @@ pub trait Parameters {
             number += 1;
         });
         wanted.is_some_and(|name| self.set_parameter(&name, value))
+    }
+
+    /// Replaces the law of the parameter with this name. Returns false if no law has this name,
+    /// which is the default. Compiled constraints implement it.
+    fn set_law(&mut self, name: &str, law: &Law) -> bool {
+        let _ = (name, law);
+        false
     }
 
     /// Returns the ends of the range of measure k of [`super::Facts::measures`], if it has a range,
@@ -74,6 +82,11 @@ impl dyn Constraint + '_ {
     /// Calls [`Parameters::set_parameter_at`].
     pub fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
         self.parameters_mut().is_some_and(|own| own.set_parameter_at(index, value))
+    }
+
+    /// Calls [`Parameters::set_law`].
+    pub fn set_law(&mut self, name: &str, law: &Law) -> bool {
+        self.parameters_mut().is_some_and(|own| own.set_law(name, law))
     }
 
     /// Calls [`Parameters::ends`].

@@ -28,9 +28,12 @@ macro_rules! carried {
 }
 
 impl Error {
-    /// Returns the motion that a failing run had computed, or `None` for the errors of other
-    /// operations.
+    /// Returns the motion that a failing run had computed, or the configuration where a follower
+    /// stopped; `None` for the errors of other operations.
     pub fn motion(&self) -> Option<&Motion> {
+        if let Error::CannotReach(stop) = self {
+            return Some(&stop.motion);
+        }
         carried!(self)?.as_deref()
     }
 

@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use crate::model::{blame::Culprit, motion::Motion, units::Units, verdict::Diagnosis, words};
+mod cannot_reach;
 mod carried;
 mod other_motion;
 pub(crate) mod surface;
 mod text;
 
+pub use cannot_reach::CannotReach;
 pub use carried::Result;
 pub use other_motion::OtherMotion;
 
@@ -382,6 +384,9 @@ pub enum Error {
     /// A dimension is invalid ([`crate::Mechanism::dimension`]).
     #[error(transparent)]
     Dimension(#[from] Box<crate::model::dimension::DimensionError>),
+    /// A follower cannot reach the driver values that a call gave it ([`crate::solver::Follower::to`]).
+    #[error(transparent)]
+    CannotReach(#[from] Box<cannot_reach::CannotReach>),
     /// Kin cannot write something as data, or data contain a mistake.
     #[error("{place}: {reason}")]
     Data {

@@ -2,7 +2,7 @@
 
 mod lengths;
 
-use kin_graph::{Formula, Node, Op, evaluate, evaluate_beyond};
+use kin_graph::{Formula, Input, Node, Op, evaluate, evaluate_beyond};
 
 use super::jerk::Along;
 use crate::numbers::real::{Dual3_64, Real};
@@ -26,6 +26,34 @@ pub(crate) fn of_time(formula: &Formula) -> Option<Vec<(usize, Node)>> {
         laws.push((law, node));
     }
     laws.sort_by_key(|(law, _)| *law);
+    Some(laws)
+}
+
+/// Returns the indices of the laws whose argument is time itself, in increasing order. Returns
+/// `None` if the formula reads time in another way too: outside of these laws, or by their slopes.
+pub(crate) fn alone(formula: &Formula) -> Option<Vec<usize>> {
+    let graph = &formula.graph;
+    let is_time = |node: Node| graph.op(node) == Op::Input(Input::Time);
+    let mut laws = Vec::new();
+    let mut seen = vec![false; graph.len()];
+    let mut open = formula.rows.clone();
+    while let Some(node) = open.pop() {
+        if std::mem::replace(&mut seen[node.index()], true) {
+            continue;
+        }
+        match graph.op(node) {
+            Op::Input(Input::Time) => return None,
+            Op::Law(law, x, order) if is_time(x) => {
+                if order > 0 {
+                    return None;
+                }
+                laws.push(law);
+            }
+            _ => graph.each_operand(node, |operand| open.push(operand)),
+        }
+    }
+    laws.sort_unstable();
+    laws.dedup();
     Some(laws)
 }
 

@@ -61,6 +61,17 @@ pub(crate) fn from_start(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Resul
     Ok(outcome)
 }
 
+/// Solves at time t from the present point, which satisfies the equations at that time but for
+/// rounding, as the first position of a run.
+pub(crate) fn resume(newton: &mut Newton<'_>, t: f64) -> Result<()> {
+    from_start(newton, t, Steps::Near)?;
+    if newton.options.follow != Follow::Unchecked {
+        take_reaches(newton, t)?;
+        newton.rates().map_err(|failure| newton.error(failure, t, None))?;
+    }
+    Ok(())
+}
+
 /// Computes the characteristic sizes at the present point, without C_q if it is not finite there.
 fn measure(newton: &mut Newton<'_>, t: f64) {
     let finite = newton.linearize(t).is_ok();

@@ -80,6 +80,13 @@ impl<'a> Stepper<'a> {
         Ok(())
     }
 
+    /// Begins the next step at this pose, which satisfies the equations at time t.
+    pub(super) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
+        let (position, _) = Position::near(self.system, self.options, t, q)?;
+        self.position = Some(position);
+        Ok(())
+    }
+
     /// Appends the pose at time t to `motion`, reached from time k of a known motion.
     pub(super) fn go_from(
         &mut self,

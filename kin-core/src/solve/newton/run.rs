@@ -140,6 +140,14 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
+    /// Begins the run at this pose, which satisfies the equations at time t but for rounding.
+    pub(crate) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
+        match &mut self.stepper {
+            AnyStepper::Redundant(stepper) => stepper.begin_from(t, q),
+            AnyStepper::Plain(stepper) => stepper.begin_from(t, q),
+        }
+    }
+
     /// Appends the pose at time t to `motion`, reached by tested steps from time k of a known
     /// motion. It is on the branch of that time. Errors: those of a run from there to t.
     pub(crate) fn go_from(

@@ -56,6 +56,19 @@ impl Stepper<'_> {
         self.check.iter_mut().for_each(|check| check.go_on(pivot));
     }
 
+    /// Begins the next step at this pose, which satisfies the equations at time t but for rounding.
+    /// Errors: C_q is singular there.
+    pub(in crate::solve::newton) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
+        self.predictor.forget();
+        self.passed.clear();
+        self.newton.q.copy_from_slice(q);
+        first_position::resume(&mut self.newton, t)?;
+        self.check.iter_mut().for_each(|check| check.accept(&self.newton));
+        self.newton.linear.confirm();
+        (self.last, self.untouched) = (Some(t), true);
+        Ok(())
+    }
+
     /// Begins the next step at time k of a motion, whatever was done before. Errors: C_q is
     /// singular there.
     pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {

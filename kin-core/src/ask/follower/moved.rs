@@ -1,0 +1,128 @@
+//! One move of a follower: a run along the straight line between values of drivers.
+
+use super::{Follower, Regular};
+use crate::ask::diagnosis::explain::EXPLAIN;
+use crate::model::error::{CannotReach, Error, Result};
+use crate::model::law::Law;
+use crate::model::motion::{Motion, SingularPosition};
+use crate::model::named_value::NamedValue;
+use crate::solve::newton::run::Run;
+use crate::solve::newton::{Outcome, SolverOptions};
+use crate::system::System;
+
+/// The run of a move goes from this time to 0, so that the values at its end are the given ones to
+/// the last digit. \[-\]
+const START: f64 = -1.0;
+
+/// After a stop the next move begins before the singular position by this share of the way. \[-\]
+const BEFORE: f64 = 1e-3;
+
+impl Follower {
+    /// Moves all drivers to these values. After an error the follower is at the singular position,
+    /// or where it was.
+    pub(super) fn move_to(&mut self, targets: &[f64]) -> Result<()> {
+        let (start, q) = match self.regular.take() {
+            Some(Regular { values, q }) => (values, q),
+            None => (self.values(), self.q.clone()),
+        };
+        match self.run(&start, &q, targets) {
+            Ok(reached) => {
+                self.q = reached;
+                self.rest_at(targets);
+                Ok(())
+            }
+            Err(error) => Err(self.stop(error, (start, q), targets)),
+        }
+    }
+
+    /// Returns the position at the targets, followed from the position q at the values `start`.
+    fn run(&mut self, start: &[f64], q: &[f64], targets: &[f64]) -> Result<Vec<f64>> {
+        if start == targets {
+            return Ok(q.to_vec());
+        }
+        for ((driver, start), target) in self.drivers.iter().zip(start).zip(targets) {
+            driver.set(&mut self.system, Law::polynomial(&[*target, target - start]));
+        }
+        go(&self.system, &self.options, q)
+    }
+
+    /// Takes the follower to the place where a move stopped, and says why.
+    fn stop(&mut self, error: Error, (start, q): (Vec<f64>, Vec<f64>), targets: &[f64]) -> Error {
+        let singular =
+            error.motion().and_then(|motion| motion.singular_positions().last().cloned());
+        let is_end = matches!(error, Error::Toggle { .. });
+        let Some(found) = singular.filter(|_| is_end) else {
+            let reason = error.to_string();
+            self.regular = None;
+            self.q = q;
+            self.rest_at(&start);
+            return self.cannot_reach(targets, None, reason);
+        };
+        let way = |share: f64| -> Vec<f64> {
+            targets
+                .iter()
+                .zip(&start)
+                .map(|(target, start)| target + (target - start) * share)
+                .collect()
+        };
+        let before = found.t - BEFORE * (found.t - START);
+        let values = way(before);
+        let regular = self.run(&start, &q, &values).ok().map(|q| Regular { values, q });
+        self.regular = Some(regular.unwrap_or(Regular { values: start.clone(), q }));
+        self.q.clone_from(&found.q);
+        self.rest_at(&way(found.t));
+        self.cannot_reach(targets, Some(&found), String::new())
+    }
+
+    fn cannot_reach(
+        &self,
+        targets: &[f64],
+        singular: Option<&SingularPosition>,
+        reason: String,
+    ) -> Error {
+        let reached = self.drivers();
+        let moved = |value: &&NamedValue, target: &f64| value.value != *target;
+        let pairs: Vec<(&NamedValue, f64)> = reached
+            .iter()
+            .zip(targets)
+            .filter(|(value, target)| moved(value, target))
+            .map(|(value, target)| (value, *target))
+            .collect();
+        let asked =
+            pairs.iter().map(|(value, target)| NamedValue { value: *target, ..(*value).clone() });
+        Error::from(Box::new(CannotReach {
+            asked: asked.collect(),
+            reached: pairs.iter().map(|(value, _)| (*value).clone()).collect(),
+            singular: singular.map(|found| found.kind),
+            movable: singular.map(|found| found.movable.clone()).unwrap_or_default(),
+            dependent: singular.map(|found| found.dependent.clone()).unwrap_or_default(),
+            motion: self.here().motion(),
+            reason,
+        }))
+    }
+
+    fn values(&self) -> Vec<f64> {
+        self.drivers.iter().map(|driver| driver.value.value).collect()
+    }
+
+    /// Takes the drivers to rest at these values.
+    fn rest_at(&mut self, values: &[f64]) {
+        for (driver, value) in self.drivers.iter_mut().zip(values) {
+            driver.value.value = *value;
+            driver.set(&mut self.system, Law::constant(*value));
+        }
+    }
+}
+
+/// Follows the branch through q, a position at the time [`START`], to the time 0.
+fn go(system: &System, options: &SolverOptions, q: &[f64]) -> Result<Vec<f64>> {
+    let mut run = Run::new(system, options, Some(EXPLAIN))?;
+    let mut motion = Motion::new(system, 2);
+    let rest = vec![0.0; q.len()];
+    motion.append(START, [q, &rest, &rest, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
+    let reached = run.begin_from(START, q).and_then(|()| run.reach(0.0, &mut motion));
+    match reached {
+        Ok(()) => Ok(motion.q(1).to_vec()),
+        Err(error) => Err(run.failed(error, motion)),
+    }
+}

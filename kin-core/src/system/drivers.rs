@@ -1,0 +1,143 @@
+//! The numbers that drivers prescribe, the values of their laws of time: names and units.
+
+use kin_graph::Formula;
+
+use super::System;
+use super::evaluate::Block;
+use crate::model::constraint::Constraint;
+use crate::model::coordinates::{Coordinate, Target};
+use crate::model::formula::laws::lengths;
+use crate::model::formula::{Given, Outside};
+use crate::model::law::Law;
+use crate::model::units::Unit;
+
+impl System {
+    /// Replaces one law of a constraint. Returns false if the constraint has no law with this name.
+    pub(crate) fn set_law(&mut self, block: usize, parameter: &str, law: &Law) -> bool {
+        self.forget_derived();
+        self.equations.blocks[block].constraint.set_law(parameter, law)
+    }
+
+    /// Replaces a constraint by one with the same facts.
+    pub(crate) fn change_constraint(
+        &mut self,
+        block: usize,
+        change: impl FnOnce(Box<dyn Constraint>) -> Box<dyn Constraint>,
+    ) {
+        self.forget_derived();
+        let place = &mut self.equations.blocks[block].constraint;
+        *place = change(place.clone());
+    }
+
+    /// Returns the unit of row k of a constraint from its documentation (`[m]`, `[rad, m]`), or
+    /// from the coordinate that it drives.
+    pub(crate) fn unit_of_row(&self, block: &Block, k: usize) -> Option<String> {
+        if let [only] = block.constraint.arguments().as_slice()
+            && let Target::Coord(..) = only.target
+        {
+            let layout = self.layout();
+            let column = layout.columns(only).first().copied().flatten()?;
+            return Some(match layout.units[column] {
+                Unit::Metre => "m".to_string(),
+                Unit::Radian => "rad".to_string(),
+                Unit::One => "-".to_string(),
+            });
+        }
+        let facts = block.constraint.facts();
+        let text = facts.description.split("\n\n").next()?.replace('\\', "");
+        let (_, after) = text.rsplit_once('[')?;
+        let words: Vec<&str> = after.split(']').next()?.split(',').map(str::trim).collect();
+        let word = if words.len() == 1 { words.first() } else { words.get(k) };
+        word.map(|word| word.to_string())
+    }
+
+    /// Returns the units of the laws with these indices, from those of rows and coordinates: `m`,
+    /// `rad`, or `None` if the unit is unknown.
+    pub(crate) fn units_of_laws(
+        &self,
+        block: &Block,
+        formula: &Formula,
+        laws: &[usize],
+    ) -> Vec<Option<String>> {
+        let layout = self.layout();
+        let mut columns = Vec::new();
+        for argument in block.constraint.arguments() {
+            let own =
+                layout.columns(&argument).into_iter().enumerate().map(|(k, column)| match column {
+                    Some(column) => f64::from(u8::from(layout.units[column] == Unit::Metre)),
+                    None => f64::from(u8::from(is_place(argument.target, k))),
+                });
+            columns.extend(own);
+        }
+        let of_row = |k: usize| match self.unit_of_row(block, k)?.as_str() {
+            "m" => Some(1.0),
+            "rad" | "-" | "–" => Some(0.0),
+            _ => None,
+        };
+        let rows: Vec<Option<f64>> = (0..block.rows().len()).map(of_row).collect();
+        let word = |length: Option<f64>| match length {
+            Some(1.0) => Some("m".to_string()),
+            Some(0.0) => Some("rad".to_string()),
+            _ => None,
+        };
+        lengths(formula, laws, &columns, &rows).into_iter().map(word).collect()
+    }
+
+    /// Returns the names of the laws with these indices: `NAME.LAW` by the names of parameters, or
+    /// the name of the driver if there is one law. `start` is a time and a pose at which Kin looks.
+    pub(crate) fn names_of_laws(
+        &self,
+        block: &Block,
+        start: Option<(f64, &[f64])>,
+        laws: &[usize],
+        outside: Outside<'_>,
+    ) -> Vec<String> {
+        if laws.len() == 1 {
+            return vec![block.name.clone()];
+        }
+        self.parameters_of_laws(block, start, laws, outside)
+            .into_iter()
+            .zip(laws)
+            .map(|(parameter, number)| match parameter {
+                Some(parameter) => format!("{}.{parameter}", block.name),
+                None => format!("{}.law {}", block.name, number + 1),
+            })
+            .collect()
+    }
+
+    /// Returns the parameters of the constraint that are the laws with these indices.
+    pub(crate) fn parameters_of_laws(
+        &self,
+        block: &Block,
+        start: Option<(f64, &[f64])>,
+        laws: &[usize],
+        outside: Outside<'_>,
+    ) -> Vec<Option<String>> {
+        let mut known: Vec<(String, Law)> = Vec::new();
+        if let Some((t, q)) = start {
+            let instant = self.equations().instant_at(t, q);
+            block.constraint.laws(&self.equations().at(block, &instant), &mut |name, law, _| {
+                known.push((name.to_string(), law.clone()));
+            });
+        }
+        let mut parameter = |number: &usize| {
+            let given = Given::by(outside, *number, &[]);
+            let place =
+                given.law().and_then(|law| known.iter().position(|(_, one)| one.is(law)))?;
+            Some(known.remove(place).0)
+        };
+        laws.iter().map(&mut parameter).collect()
+    }
+}
+
+/// Returns true if column k of the ground is a length: the position of a body precedes its
+/// orientation.
+fn is_place(target: Target, k: usize) -> bool {
+    match target {
+        Target::Planar(_) => k < 2,
+        Target::Spatial(_) => k < 3,
+        Target::Coord(Coordinate::Planar(_, axis), _) => axis < 2,
+        Target::Coord(Coordinate::Spatial(_, axis), _) => axis < 3,
+        Target::Coord(Coordinate::Own { .. }, _) => false,
+    }
+}

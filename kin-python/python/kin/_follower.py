@@ -1,0 +1,141 @@
+"""Positions by values of drivers instead of by time."""
+
+from __future__ import annotations
+
+from typing import Any, Mapping, Optional
+
+import numpy as np
+
+from . import _native
+from ._motion import Motion, array
+
+
+class Configuration:
+    """The position of a mechanism at given values of its drivers, with all drivers at rest. `here["rocker.theta"]` is a coordinate or a
+    measure of a joint by name."""
+
+    q: Any
+    """The coordinates in the order of `system.names`, read-only.   [m, rad]"""
+    drivers: dict[str, float]
+    """The values of all drivers by name."""
+    measures: dict[str, float]
+    """The measures of all joints by name."""
+    motion: Motion
+    """The configuration as a motion of one time, for points and pictures."""
+
+    def __init__(self, native: "_native.Follower", names: list[str]) -> None:
+        self.q = array(native.q())
+        self.drivers = {name: value for name, _, value in native.drivers()}
+        self.measures = dict(native.measures())
+        self.motion = Motion(native.motion())
+        self._names = names
+
+    def __getitem__(self, name: str) -> float:
+        if name in self._names:
+            return float(self.q[self._names.index(name)])
+        if name in self.measures:
+            return self.measures[name]
+        raise KeyError(f"there is no coordinate or measure `{name}`; known: {', '.join([*self._names, *self.measures])}")
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value:.6g}" for name, value in self.drivers.items())
+        return f"Configuration({values})"
+
+
+class Configurations:
+    """Positions of a mechanism at many values of its drivers. `all["rocker.theta"]` holds a coordinate or a measure of each position."""
+
+    q: Any
+    """The coordinates, a row for each position, read-only.   [m, rad]"""
+    drivers: dict[str, Any]
+    """The values of the drivers that were moved, by name."""
+
+    def __init__(self, q: Any, measured: Any, names: list[str], measures: list[str], drivers: dict[str, Any]) -> None:
+        self.q, self._measured, self.drivers = q, measured, drivers
+        self._names, self._measures = names, measures
+
+    def __len__(self) -> int:
+        return len(self.q)
+
+    def __getitem__(self, name: str) -> Any:
+        if name in self._names:
+            return self.q[:, self._names.index(name)]
+        if name in self._measures:
+            return self._measured[:, self._measures.index(name)]
+        raise KeyError(f"there is no coordinate or measure `{name}`; known: {', '.join([*self._names, *self._measures])}")
+
+    def __repr__(self) -> str:
+        return f"Configurations({len(self)} of {', '.join(self.drivers)})"
+
+
+class Follower:
+    """Stands on one branch of a mechanism and moves along it by values of its drivers.
+
+        follower = system.follower()
+        here = follower.to(motor=0.63)
+        here["rocker.theta"]
+
+    A driver is a law whose argument is time. Its name is the name of the constraint, or `NAME.LAW` if the constraint has several such
+    laws. Each move goes along the straight line from the present values, over any distance, and is checked as a run is.
+    """
+
+    def __init__(self, native: "_native.Follower", system: "_native.System") -> None:
+        self._native, self._system = native, system
+
+    def to(self, values: Optional[Mapping[str, Any]] = None, **named: Any) -> Any:
+        """Moves the named drivers to these values and returns the `Configuration` there; the other drivers stand still. Names with a dot
+        or a space are given in a dict: `to({"left motor": 0.3})`. With arrays it moves through all of their values in turn, in one call,
+        and returns `Configurations`.
+
+        Raises an error by name: no such driver, a value that is not finite; then the follower has not moved. Raises `kin.CannotReach` if a
+        singular position is on the way: its `reached` holds the values there, its `movable` and `dependent` name what is in line, its `motion` is
+        the configuration there. The follower stands there, and can be moved back.
+        """
+        given = {**(values or {}), **named}
+        if any(np.ndim(value) > 0 for value in given.values()):
+            return self._to_by(given)
+        self._native.to([(name, float(value)) for name, value in given.items()])
+        return self.here
+
+    def _to_by(self, given: Mapping[str, Any]) -> Configurations:
+        columns = np.broadcast_arrays(*[np.asarray(value, dtype=np.float64) for value in given.values()])
+        if columns[0].ndim != 1:
+            raise ValueError(f"values of drivers are numbers or lists of numbers, not arrays of {columns[0].ndim} dimensions")
+        names, measures = self._system.names(), self._system.measures()
+        path = np.ascontiguousarray(np.stack(columns, axis=1))
+        q, measured = self._native.to_by(list(given), path.tobytes(), measures)
+        drivers = {name: column.copy() for name, column in zip(given, columns)}
+        rows = array(measured).reshape(len(path), len(measures))
+        return Configurations(array(q).reshape(len(path), len(names)), rows, names, measures, drivers)
+
+    @property
+    def here(self) -> Configuration:
+        """The configuration where the follower is."""
+        return Configuration(self._native, self._system.names())
+
+    @property
+    def drivers(self) -> dict[str, float]:
+        """The present values of all drivers by name."""
+        return {name: value for name, _, value in self._native.drivers()}
+
+    @property
+    def units(self) -> dict[str, Optional[str]]:
+        """The units of the drivers by name, such as `rad`; None if a unit is unknown."""
+        return {name: unit for name, unit, _ in self._native.drivers()}
+
+    @property
+    def frozen(self) -> list[str]:
+        """Names of the constraints that read time in another way than by a law of time alone. Time stands still in them."""
+        return self._native.frozen()
+
+    def rates(self, velocities: Mapping[str, float], accelerations: Optional[Mapping[str, float]] = None) -> tuple[Any, Any]:
+        """q̇ and q̈ where the follower is, for these velocities and accelerations of the drivers; the others are at rest."""
+        second = accelerations or {}
+        names = list(dict.fromkeys([*velocities, *second]))
+        rates = [(name, [float(velocities.get(name, 0.0)), float(second.get(name, 0.0))]) for name in names]
+        qd, qdd = self._native.rates(rates)
+        return array(qd), array(qdd)
+
+    def __repr__(self) -> str:
+        values = ", ".join(f"{name}={value:.6g}" for name, value in self.drivers.items())
+        return f"Follower({values})"

@@ -1,0 +1,92 @@
+"""Positions by values of drivers."""
+
+import math
+
+import numpy as np
+import pytest
+
+import kin
+
+
+def four_bar(lengths=(1.0, 3.5, 3.0, 4.0)):
+    crank_length, coupler_length, rocker_length, ground = lengths
+    m = kin.Mechanism("four-bar")
+    crank = m.link("crank", crank_length)
+    coupler = m.link("coupler", coupler_length)
+    rocker = m.link("rocker", rocker_length)
+    m.add("O", kin.revolute(m.ground, crank, (0, 0), crank.start))
+    m.add("A", kin.revolute(crank, coupler, crank.end, coupler.start))
+    m.add("B", kin.revolute(coupler, rocker, coupler.end, rocker.end))
+    m.add("C", kin.revolute(m.ground, rocker, (ground, 0), rocker.start))
+    m.add("motor", kin.drive_angle(crank, kin.Law.ramp(2 * math.pi)))
+    m.prefer(rocker.theta, 1.75)
+    return m.build()
+
+
+def rocker_angle(angle, lengths=(1.0, 3.5, 3.0, 4.0)):
+    """The angle of the rocker by the law of cosines, with the coupler above."""
+    a, b, c, d = lengths
+    x, y = d - a * math.cos(angle), -a * math.sin(angle)
+    span = math.hypot(x, y)
+    first = math.atan2(y, x) + math.acos((b * b + span * span - c * c) / (2 * b * span))
+    return math.atan2(a * math.sin(angle) + b * math.sin(first), a * math.cos(angle) + b * math.cos(first) - d)
+
+
+def test_a_value_gives_the_position():
+    follower = four_bar().follower()
+    here = follower.to(motor=2.5)
+    assert here["rocker.theta"] == pytest.approx(rocker_angle(2.5), abs=1e-9)
+    assert here.drivers == {"motor": 2.5} == follower.drivers
+    assert here.measures["O.angle"] == here["O.angle"]
+    assert follower.units == {"motor": "rad"}
+    assert here.motion.q.shape == (1, len(here.q))
+    with pytest.raises(KeyError, match="rocker.theta"):
+        here["rocker"]
+
+
+def test_arrays_of_values_are_one_call():
+    follower = four_bar().follower()
+    angles = np.linspace(0, 12, 50)
+    path = follower.to(motor=angles)
+    assert path.q.shape == (50, 9) and len(path) == 50
+    exact = [rocker_angle(angle) for angle in angles]
+    assert np.allclose(path["rocker.theta"], exact, atol=1e-9)
+    assert path["O.angle"].shape == (50,)
+    assert follower.drivers["motor"] == 12
+
+
+def test_a_dict_names_drivers():
+    follower = four_bar().follower()
+    assert follower.to({"motor": 1})["rocker.theta"] == pytest.approx(rocker_angle(1), abs=1e-9)
+
+
+def test_a_toggle_on_the_way_ends_the_move():
+    lengths = (2.0, 1.5, 2.2, 3.5)
+    system = four_bar(lengths)
+    follower = system.follower(0.1)
+    with pytest.raises(kin.CannotReach, match="follower stops at `motor`") as stop:
+        follower.to(motor=3.0)
+    toggle = math.acos((2.0**2 + 3.5**2 - 3.7**2) / (2 * 2.0 * 3.5))
+    assert stop.value.reached["motor"] == pytest.approx(toggle, abs=1e-12)
+    assert stop.value.asked == {"motor": 3.0}
+    assert "coupler" in stop.value.movable and stop.value.singular == "turning-point"
+    assert np.array_equal(stop.value.motion.q[0], follower.here.q)
+    follower.to(motor=0.5)
+
+
+def test_mistakes_are_named():
+    follower = four_bar().follower()
+    with pytest.raises(kin.UnknownName, match="`motor`"):
+        follower.to(crank=1)
+    with pytest.raises(kin.Error, match="nan|NaN"):
+        follower.to(motor=math.nan)
+    assert follower.drivers == {"motor": 0}
+
+
+def test_rates_are_those_of_a_run():
+    system = four_bar()
+    follower = system.follower()
+    follower.to(motor=2 * math.pi * 0.3)
+    qd, qdd = follower.rates({"motor": 2 * math.pi})
+    motion = system.run([0, 0.3])
+    assert np.allclose(qd, motion.qd[1], atol=1e-9) and np.allclose(qdd, motion.qdd[1], atol=1e-8)
