@@ -34,7 +34,7 @@ fn write(path: &Path, bytes: &[u8]) -> io::Result<()> {
 fn png(svg: &str) -> io::Result<Vec<u8>> {
     use resvg::{tiny_skia, usvg};
     const SCALE: f32 = 2.0;
-    let mut options = usvg::SolverOptions::default();
+    let mut options = usvg::Options::default();
     options.fontdb_mut().load_system_fonts();
     let tree = usvg::Tree::from_str(svg, &options).map_err(io::Error::other)?;
     let width = (tree.size().width() * SCALE).ceil() as u32;

@@ -138,7 +138,7 @@ impl Engines for System {
 }
 
 fn is_refusal(error: &Error) -> bool {
-    matches!(error, Error::InvalidOptions { reason } if reason.contains("cannot be compiled: "))
+    matches!(error, Error::InvalidOptions { reason } if reason.contains("Kin cannot compile"))
 }
 
 /// Why there can be no program, as a user sees it from outside: more equations than coordinates, or
