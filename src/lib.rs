@@ -1,30 +1,30 @@
 #![doc = include_str!("../README.md")]
 //!
-//! # Where things are in this documentation
+//! # Contents of this documentation
 //!
-//! | for | see |
+//! | subject | items |
 //! |---|---|
-//! | the description of a machine | [`Mechanism`], [`joints`], [`Law`], [`pose`], [`SpatialPose`], [`loads`] |
+//! | the description of a mechanism | [`Mechanism`], [`joints`], [`Law`], [`pose`], [`SpatialPose`], [`loads`] |
 //! | a user-defined constraint or law | [`macro@constraint`], [`macro@law`], [`check`] |
-//! | its solution | [`System`], [`Solver`], [`SolverOptions`], [`solver`] |
+//! | the solution of a mechanism | [`System`], [`Solver`], [`SolverOptions`], [`solver`] |
 //! | forces of joints and drives | [`forces`] |
 //! | derivatives by parameters, tolerances | [`design`] |
-//! | the motion and questions about it | [`Motion`], [`results`] |
-//! | faults | [`Error`], [`diagnosis`] |
+//! | a motion and its results | [`Motion`], [`results`] |
+//! | errors | [`Error`], [`diagnosis`] |
 //! | files | [`data`] |
-//! | constraints without the macro, the numbers behind derivatives, support for emitted code | [`extend`] |
+//! | hand-written constraints, numbers with derivatives, emitted code | [`extend`] |
 //!
-//! Everything outside of [`extend`] is for users to call.
+//! Ordinary programs use all modules except [`extend`].
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 
 pub use kin_core::*;
 
-/// Equations as text, read while the program runs, and mechanism files that carry them.
+/// Reads equations as text while the program runs, and mechanism files that contain equations.
 #[cfg(feature = "text")]
 pub use kin_text as text;
 
-/// Everything a program with a mechanism in it needs: `use kin::prelude::*;`.
+/// Exports all names that a program with a mechanism usually needs: `use kin::prelude::*;`.
 pub mod prelude {
     pub use kin_core::extend::{Dual, Real, Route, Routed};
     pub use kin_core::joints::drivers::*;

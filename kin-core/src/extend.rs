@@ -1,11 +1,11 @@
-//! Items for constraints and laws written by hand, which ordinary programs do not call.
+//! Items for hand-written constraints and laws, which ordinary programs do not call.
 //!
-//! The module also serves the comparison of derivatives term by term and the code that
-//! `#[constraint]` emits.
+//! Code that compares derivatives term by term, and the code that `#[constraint]` emits, also use
+//! this module.
 //!
-//! A constraint by hand is an `impl` of [`Constraint`](crate::Constraint). [`state`] describes the
-//! values that a constraint reads; [`coordinates`] describes the bodies that it acts on. A law by
-//! hand is an `impl` of [`LawFunction`].
+//! A hand-written constraint is an `impl` of [`Constraint`](crate::Constraint). [`state`] describes
+//! the values that a constraint reads, and [`coordinates`] describes the bodies on which a
+//! constraint acts. A hand-written law is an `impl` of [`LawFunction`].
 
 #[doc(inline)]
 pub use crate::model::constraint::{
@@ -34,13 +34,13 @@ pub mod blame {
 }
 
 /// Handles that a mechanism returns for its bodies and coordinates, and the arguments that
-/// constraints store for them.
+/// constraints store.
 pub mod coordinates {
     #[doc(inline)]
     pub use crate::model::coordinates::*;
 }
 
-/// The dual route: evaluates the equation of a constraint with dual numbers.
+/// Evaluates the equation of a constraint with dual numbers: the dual route.
 pub mod dual_route {
     #[doc(inline)]
     pub use crate::model::dual_route::*;

@@ -1,7 +1,7 @@
 //! The core of Kin: numbers and vectors, bodies and coordinates, constraints and joints, the solver
 //! and its results.
 //!
-//! Use it through the facade crate `kin`.
+//! Programs use this crate through the facade crate `kin`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 // Where `lanes` knows no SIMD registers (WebAssembly, among others), everything runs by plain
@@ -55,7 +55,7 @@ pub use solve::motion::Motion;
 use solve::newton;
 pub use system::System;
 
-/// Errors, and what they carry.
+/// Errors, and the data that they carry.
 pub mod error {
     pub use crate::model::dimension::DimensionError;
     pub use crate::model::error::surface::Surface;
@@ -66,14 +66,15 @@ pub mod error {
     pub use crate::model::not_unique::NotUnique;
 }
 
-/// Numbers with a name, a unit, a range and a tolerance, and what may stand in their place.
+/// Numbers with a name, a unit, a range and a tolerance, and the traits of arguments that accept
+/// them.
 pub mod dimension {
     pub use crate::model::dimension::{
         Dimension, IntoGravity, IntoNumber, IntoParameter, IntoVector,
     };
 }
 
-/// Handles and arguments of a [`crate::Mechanism`].
+/// Handles of a [`crate::Mechanism`], and the traits of its arguments.
 pub mod mechanism {
     pub use crate::model::body::Body;
     pub use crate::model::coordinates::{
@@ -85,7 +86,7 @@ pub mod mechanism {
     };
 }
 
-/// Options and questions of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
+/// Options and results of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
 pub mod solver {
     pub use crate::ask::follower::{Configuration, Follower};
     pub use crate::ask::solver::At;
@@ -98,8 +99,8 @@ pub mod solver {
     pub use crate::solve::sweep::Sweep;
 }
 
-/// Parts of a [`crate::Motion`], and answers about one: quantities, events, extremes,
-/// proofs.
+/// Parts of a [`crate::Motion`], and results that Kin derives from a motion: quantities, events,
+/// extremes, proofs.
 pub mod results {
     pub use crate::ask::measure::{Crossing, Extreme, Extremes, Measure};
     pub use crate::ask::proof;
@@ -114,7 +115,7 @@ pub mod results {
     pub use crate::system::Solution;
 }
 
-/// Loads: types, and the library of springs, dampers, struts and the like.
+/// The types of loads, and the library of springs, dampers, struts and similar loads.
 pub mod loads {
     pub use crate::forces::library::*;
     pub use crate::model::loads::{

@@ -1,17 +1,19 @@
-//! The linear solver: a square matrix of fixed pattern. Callers write values and a right side, and
-//! read the solution. No other module of Kin eliminates sparse matrices.
+//! Implements the linear solver for a square matrix of fixed pattern.
 //!
-//! The elimination is recorded once at real numbers and then replayed as flat code ([`code`]) on
+//! Callers write values and a right side, and read the solution. No other module of Kin eliminates
+//! sparse matrices.
+//!
+//! Kin records the elimination once at real numbers and then replays it as flat code ([`code`]) on
 //! one memory. The memory contains values, right side and solution, so constraints write directly
-//! into it.
+//! into the memory.
 //!
-//! A pivot is scaled by the largest entries that its row and its column have had so far, with
+//! Kin scales a pivot by the largest entries that its row and its column have had so far, with
 //! lengths in units of the model's length. So the verdict "singular" does not depend on units (mm,
-//! m or km), and a row that fades towards a toggle is detected. The scales only select and judge
-//! pivots; they do not change the numbers.
+//! m or km), and Kin detects a row that becomes small towards a toggle. The scales only select and
+//! judge pivots and do not change the numbers.
 //!
-//! Each replay is checked. If pivots fade or multipliers grow, the elimination is recorded again at
-//! the present numbers.
+//! Kin checks each replay. If pivots become small or multipliers grow, Kin records the elimination
+//! again at the present numbers.
 
 mod condition;
 mod dense;

@@ -1,5 +1,5 @@
-//! A mechanism ready to solve, with a fixed order of coordinates and equations and a fixed pattern
-//! of C_q.
+//! Stores a mechanism in the form that solvers use: a fixed order of coordinates and equations and
+//! a fixed pattern of C_q.
 
 mod axes;
 mod cache;
@@ -35,9 +35,9 @@ pub use solution::{Report, Solution};
 /// A system C(q, t) = 0 of m equations in n coordinates, m ≥ n. [`crate::Mechanism::build`] creates
 /// it.
 ///
-/// Coordinates are in the order in which bodies and scalar coordinates were declared. Equations are
-/// in the order in which constraints were added. The norm constraints |p|² = 1 of spatial bodies
-/// (named `BODY.p`) come last.
+/// The coordinates are in the order in which the program declared bodies and scalar coordinates.
+/// The equations are in the order in which the program added constraints. The norm constraints |p|²
+/// = 1 of spatial bodies (named `BODY.p`) come last.
 #[derive(Clone)]
 pub struct System {
     name: String,
@@ -125,7 +125,9 @@ impl System {
         self.n_equations() > self.n_coordinates()
     }
 
-    /// Returns the number of equations m. It is larger than n if some equations repeat others.
+    /// Returns the number of equations m.
+    ///
+    /// If some equations are redundant, m is larger than the number of coordinates n.
     pub fn n_equations(&self) -> usize {
         self.equations.rows
     }
@@ -147,7 +149,8 @@ impl System {
         &self.layout.words
     }
 
-    /// Returns the length between the two pins of a link, or `None` for other bodies. \[m\]
+    /// Returns the length between the two pins of a link, or `None` for a body that is not a link.
+    /// \[m\]
     pub fn link_length(&self, body: &Target) -> Option<f64> {
         let Some(Place::Own { item, .. }) = self.layout.place(body) else { return None };
         self.lengths.iter().find(|(known, _)| *known == item).map(|(_, length)| *length)
@@ -158,19 +161,21 @@ impl System {
         self.layout.bodies()
     }
 
-    /// Returns the constraints with their names, in order. The norm constraints of spatial bodies
-    /// come last.
+    /// Returns the constraints with their names, in the order of the equations.
+    ///
+    /// The norm constraints of spatial bodies come last.
     pub fn constraints(&self) -> impl Iterator<Item = (&str, &dyn Constraint)> {
         self.equations.blocks.iter().map(|block| (block.name.as_str(), block.constraint.as_ref()))
     }
 
-    /// Returns the names of the constraints in order.
+    /// Returns the names of the constraints in the order of the equations.
     pub fn constraint_names(&self) -> Vec<&str> {
         self.equations.blocks.iter().map(|block| block.name.as_str()).collect()
     }
 
-    /// Returns the names of the equations in order: `A.x`, `A.y`. A constraint of one row uses its
-    /// name alone.
+    /// Returns the names of the equations in order, such as `A.x`, `A.y`.
+    ///
+    /// The equation of a constraint with one row has the name of the constraint alone.
     pub fn equation_names(&self) -> Vec<String> {
         self.rows.to_vec()
     }
@@ -184,7 +189,9 @@ impl System {
         &self.initial
     }
 
-    /// Sets the initial guess of q (length n). Preferred values stay preferred.
+    /// Sets the initial guess of q (length n). \[m, rad\]
+    ///
+    /// The preferred values of the mechanism remain preferred.
     pub fn set_initial(&mut self, q: &[f64]) -> Result<()> {
         self.check(q, "initial guess")?;
         self.initial.copy_from_slice(q);

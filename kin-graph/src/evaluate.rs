@@ -1,21 +1,22 @@
-//! The one evaluator: a graph walked by any [`Number`].
+//! Evaluates a graph with any type of [`Number`].
 
 use crate::number::{Condition, Number};
 use crate::{Graph, Input, LeafUse, Node, Op};
 
-/// The values that a graph does not hold itself: its inputs, and those that only the user's program
-/// can compute.
+/// The values that a graph does not contain: its inputs, and the values that only the user's
+/// program can compute.
 pub trait Source<N: Number> {
-    /// The number of an input.
+    /// Returns the number of an input.
     fn input(&self, input: Input) -> N;
 
-    /// Derivative number `order` of law number `law` at x.
+    /// Returns the derivative of order `order` at x of the law with index `law`.
     fn law(&self, law: usize, x: N, order: u8) -> N;
 
-    /// Number `component` of what only the user's program can compute of `operands`.
+    /// Returns component `component` of a value that only the user's program can compute from
+    /// `operands`.
     fn opaque(&self, number: usize, component: usize, operands: Vec<N>) -> N;
 
-    /// An output of a call of the user's generic function.
+    /// Returns an output of a call of the user's generic function.
     fn leaf(&self, used: LeafUse, operands: Vec<N>) -> N;
 }
 
@@ -26,7 +27,7 @@ enum Result<N: Number> {
     Condition(N::Condition),
 }
 
-/// The results of the nodes that were asked for, and of those behind them.
+/// The results of the requested nodes, and of the nodes on which they depend.
 #[derive(Clone)]
 pub struct Results<N: Number>(Vec<Option<Result<N>>>);
 
@@ -37,8 +38,9 @@ impl<N: Number> Default for Results<N> {
 }
 
 impl<N: Number> Results<N> {
-    /// The number of a node, that of a condition being 1 or 0; `None` of a node that was not
-    /// needed.
+    /// Returns the number of a node, or `None` if the node was not needed.
+    ///
+    /// The number of a condition is 1 or 0.
     pub fn number(&self, node: Node) -> Option<N> {
         Some(match self.0.get(node.index())?.as_ref()? {
             Result::Number(number) => number.clone(),
@@ -46,8 +48,9 @@ impl<N: Number> Results<N> {
         })
     }
 
-    /// The truth of a node, that of a number being whether it is not 0; `None` of a node that was
-    /// not needed.
+    /// Returns the truth of a node, or `None` if the node was not needed.
+    ///
+    /// A number is true if it is not 0.
     pub fn condition(&self, node: Node) -> Option<N::Condition> {
         Some(match self.0.get(node.index())?.as_ref()? {
             Result::Number(number) => number.holds(),
@@ -56,8 +59,10 @@ impl<N: Number> Results<N> {
     }
 }
 
-/// The results of `outputs`. A node is computed after its operands and once; one that has no number
-/// in the graph is not a number.
+/// Evaluates `outputs`.
+///
+/// Kin computes each node once, after its operands. The result of a node without a number in the
+/// graph is NaN.
 pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source<N>) -> Results<N> {
     let mut results = Results((0..graph.len()).map(|_| None).collect());
     for node in graph.reachable(outputs) {
@@ -67,8 +72,9 @@ pub fn evaluate<N: Number>(graph: &Graph, outputs: &[Node], source: &impl Source
     results
 }
 
-/// The results of all nodes, in the memory of an earlier call: for graphs that have no node too
-/// many.
+/// Evaluates all nodes, in the memory of an earlier call.
+///
+/// Use this function for graphs that contain only needed nodes.
 pub fn evaluate_all<N: Number>(graph: &Graph, source: &impl Source<N>, results: &mut Results<N>) {
     results.0.clear();
     results.0.reserve(graph.len());
@@ -78,8 +84,9 @@ pub fn evaluate_all<N: Number>(graph: &Graph, source: &impl Source<N>, results: 
     }
 }
 
-/// The results of `outputs` where only the number of one input is another than in `known`: what
-/// does not read it stays as it is.
+/// Evaluates `outputs` when the number of one input differs from `known`.
+///
+/// Nodes that do not depend on this input keep their results.
 pub fn evaluate_along<N: Number>(
     graph: &Graph,
     outputs: &[Node],
@@ -96,7 +103,9 @@ pub fn evaluate_along<N: Number>(
     )
 }
 
-/// The same where nodes have other numbers than in `known`, those that `given` gives them.
+/// Evaluates `outputs` when some nodes have other numbers than in `known`.
+///
+/// The argument `given` contains these numbers.
 pub fn evaluate_beyond<N: Number>(
     graph: &Graph,
     outputs: &[Node],

@@ -1,22 +1,23 @@
-//! The rows of an equation, or a law, as data: the graph as it was written, with no derivative in
-//! it, and the expressions that its nodes are of.
+//! Stores the rows of an equation, or a law, as data: the graph as the user wrote it, without
+//! derivatives, and the expressions of its nodes.
 
 use crate::{Graph, Node, Op};
 
-/// An expression of the user's.
+/// An expression of the user's program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Expression {
-    /// As it is written.
+    /// The text of the expression.
     pub text: String,
-    /// Line, counted from 1.
+    /// The line of the expression, counted from 1.
     pub line: u32,
-    /// Column, counted from 1.
+    /// The column of the expression, counted from 1.
     pub column: u32,
 }
 
-/// The rows of an equation. Coordinates are [`crate::Input::Column`], the variable of a law is
-/// column 0; what only the user's program can compute stands as [`Op::Law`] and [`Op::Opaque`],
-/// numbered together.
+/// The rows of an equation.
+///
+/// Coordinates are [`crate::Input::Column`], and the variable of a law is column 0. Values that
+/// only the user's program can compute are [`Op::Law`] and [`Op::Opaque`], with common indices.
 #[derive(Default)]
 pub struct Formula {
     pub graph: Graph,
@@ -25,20 +26,22 @@ pub struct Formula {
     /// The names of the parameters.
     pub parameters: Vec<String>,
     pub expressions: Vec<Expression>,
-    /// True if constants in it have been rounded before they could be read.
+    /// True if constants of the formula were rounded before Kin could read them.
     pub is_rounded: bool,
     /// The number of each node's expression.
     written: Vec<Option<usize>>,
 }
 
 impl Formula {
-    /// The node of an operation as it stands, which is of expression number `expression`.
+    /// Adds an operation without simplification and returns its node.
+    ///
+    /// The operation belongs to the expression with index `expression`.
     pub fn push(&mut self, op: Op, expression: Option<usize>) -> Node {
         let node = self.graph.raw(op);
         self.note(node, expression)
     }
 
-    /// The same for a decimal that no f64 is.
+    /// Adds a decimal that is not an f64 and returns its node.
     pub fn push_decimal(&mut self, nearest: f64, above: bool, expression: Option<usize>) -> Node {
         let node = self.graph.decimal_beside(nearest, above);
         self.note(node, expression)
@@ -53,8 +56,9 @@ impl Formula {
         node
     }
 
-    /// The same for component `component` of value number `number`, which only the user's program
-    /// can compute of `operands`.
+    /// Adds component `component` of the value with index `number` and returns its node.
+    ///
+    /// Only the user's program can compute this value from `operands`.
     pub fn push_opaque(
         &mut self,
         number: usize,
@@ -74,7 +78,7 @@ impl Formula {
         self.written.get(node.index()).copied().flatten()
     }
 
-    /// The expression that a node is of.
+    /// Returns the expression to which a node belongs.
     pub fn expression(&self, node: Node) -> Option<&Expression> {
         self.expressions.get(self.number_of_expression(node)?)
     }

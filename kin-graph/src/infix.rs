@@ -1,10 +1,11 @@
-//! Expressions as they stand on paper: `crank / 2.0`, `hypot(dx, dy)`.
+//! Writes expressions in infix form: `crank / 2.0`, `hypot(dx, dy)`.
 
 use crate::{Function2, Graph, Node, Op};
 
-/// A node as text, inputs by the names that `named` gives them and others too where it names them;
-/// `None` where that takes more than `longest` bytes. (An expression that shares parts may be of
-/// any length.)
+/// Writes a node as text, or returns `None` if the text needs more than `longest` bytes.
+///
+/// The function `named` gives the names of inputs, and of other nodes. The text of an expression
+/// that shares parts can have any length.
 pub fn infix(
     graph: &Graph,
     node: Node,

@@ -1,10 +1,8 @@
-//! The equation as data: a hash-consed scalar graph over one list of functions, with exact
-//! simplification, derivatives by its own constructors, and the schedule that turns it into code
-//! for few operations.
+//! Represents equations as data: a hash-consed scalar graph over one list of functions, with exact
+//! simplification, derivatives, and a schedule for code with few operations.
 //!
-//! The rooms, in the order in which they stand on one another: `functions` → `graph` →
-//! `differentiate` → `schedule`. Nothing here knows the language that an equation was written in,
-//! or the solver that it is for.
+//! The modules, each built on the modules before it: `functions` → `graph` → `differentiate` →
+//! `schedule`. This crate knows neither the language of an equation nor the solver.
 #![forbid(unsafe_code)]
 
 pub mod differentiate;

@@ -1,12 +1,13 @@
-//! The numbers that can walk a graph: each knows the operations of the graph for itself, and
-//! [`crate::evaluate`] does the rest.
+//! Defines the numbers with which [`crate::evaluate`] can evaluate a graph.
+//!
+//! Each type of number implements the operations of the graph.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::{Comparison, Function, Function2};
 
-/// A number that an equation can be evaluated with: f64, a number with derivatives, an interval, a
-/// series, a vector of numbers.
+/// A type of number with which Kin can evaluate an equation: f64, a number with derivatives, an
+/// interval, a series, a vector of numbers.
 pub trait Number:
     Clone
     + Neg<Output = Self>
@@ -64,7 +65,7 @@ pub trait Number:
     fn holds(&self) -> Self::Condition;
 }
 
-/// A condition that holds, or does not, or, of numbers that stand for many, may do either.
+/// A condition that is true, false, or, for numbers that represent many values, undecided.
 pub trait Condition: Clone {
     fn known(holds: bool) -> Self;
     fn and(self, other: Self) -> Self;
@@ -90,12 +91,13 @@ impl Condition for bool {
     }
 }
 
-/// A condition on numbers that stand for many: it may hold for some of them and not for others.
+/// A condition on numbers that represent many values: it may be true for some values and false for
+/// others.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Possibly {
-    /// The condition holds for none of them.
+    /// True if the condition is false for all values.
     pub never: bool,
-    /// The condition holds for all of them.
+    /// True if the condition is true for all values.
     pub always: bool,
 }
 

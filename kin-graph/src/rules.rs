@@ -1,5 +1,5 @@
-//! The formulas of the list of functions, in any numbers: f64, dual numbers, series, the nodes of a
-//! graph.
+//! Evaluates the formulas of the list of functions with any numbers: f64, dual numbers, series, the
+//! nodes of a graph.
 
 use crate::{Comparison, Condition, Function, Function2, Number};
 
@@ -9,15 +9,15 @@ macro_rules! of_one {
         { value: $value:expr; $(definition: |$x:ident| $definition:expr;)? slope: |$u:tt, $y:tt| $slope:expr;
           facts: $facts:expr; }
     )*) => {
-        /// dy/du of y = f(u).
+        /// Returns dy/du of y = f(u).
         ///
-        /// At kinks the documented side: `abs` at 0 takes +1; the steps (`floor`, `signum`, …) have
-        /// the derivative 0 everywhere.
+        /// At a kink the derivative is that of the documented side: `abs` at 0 has the slope +1.
+        /// The steps (`floor`, `signum`, …) have the derivative 0 everywhere.
         pub fn slope<N: Number>(f: Function, u: N, y: N) -> N {
             match f { $(Function::$variant => { let ($u, $y) = (u, y); $slope })* }
         }
 
-        /// f(x) by other functions of the list; `None` of what every library has.
+        /// Returns f(x) from other functions of the list, or `None` if every library has f.
         pub fn definition<N: Number>(f: Function, x: N) -> Option<N> {
             match f {
                 $($(Function::$variant => { let $x = x; Some($definition) })?)*
@@ -33,12 +33,13 @@ macro_rules! of_two {
         { value: $value:expr; $(definition: |$x:ident, $y:ident| $definition:expr;)?
           slopes: |$u:tt, $v:tt, $z:tt| $slopes:expr; facts: $facts:expr; }
     )*) => {
-        /// (∂z/∂u, ∂z/∂v) of z = f(u, v).
+        /// Returns (∂z/∂u, ∂z/∂v) of z = f(u, v).
         pub fn slopes<N: Number>(f: Function2, u: N, v: N, z: N) -> (N, N) {
             match f { $(Function2::$variant => { let ($u, $v, $z) = (u, v, z); $slopes })* }
         }
 
-        /// f(x, y) by other functions of the list; `None` of what every kind of number has.
+        /// Returns f(x, y) from other functions of the list, or `None` if every type of number has
+        /// f.
         pub fn definition_of_two<N: Number>(f: Function2, x: N, y: N) -> Option<N> {
             match f {
                 $($(Function2::$variant => { let ($x, $y) = (x, y); Some($definition) })?)*

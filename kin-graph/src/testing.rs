@@ -1,11 +1,11 @@
-//! Support for the tests of the passes: plain values of nodes, and reproducible random numbers.
+//! Supports the tests of the passes: plain values of nodes, and reproducible random numbers.
 
 use std::collections::HashMap;
 
 use crate::evaluate::{Source, evaluate};
 use crate::{Graph, Input, LeafUse, Node};
 
-/// Numbers of inputs. There is nothing else in the graphs of these tests.
+/// The numbers of inputs. The graphs of these tests contain no laws or foreign values.
 pub struct Given(pub HashMap<Input, f64>);
 
 impl Source<f64> for Given {
@@ -26,12 +26,12 @@ impl Source<f64> for Given {
     }
 }
 
-/// The value of a node.
+/// Returns the value of a node.
 pub fn value(g: &Graph, node: Node, inputs: &HashMap<Input, f64>) -> f64 {
     evaluate(g, &[node], &Given(inputs.clone())).number(node).unwrap_or(f64::NAN)
 }
 
-/// Reproducible random numbers (SplitMix64).
+/// Generates reproducible random numbers (SplitMix64).
 pub struct SplitMix(pub u64);
 
 impl SplitMix {

@@ -1,10 +1,11 @@
-//! A formula as text and back: what emitted code holds of an equation, one literal that costs
-//! nothing to compile.
+//! Converts a formula to text and back.
 //!
-//! A line `at LINE COLUMN TEXT` for each expression, the names of the parameters, `rounded` where
-//! constants are not as they were written, the steps of the rows, then a line for each step: the
-//! number of its expression (`-` for none), its name, and the numbers of its operands, which are
-//! those of steps before it.
+//! Emitted code contains the text as one literal, which adds nothing to compile times.
+//!
+//! The text has a line `at LINE COLUMN TEXT` for each expression, the names of the parameters,
+//! `rounded` if constants were rounded, and the steps of the rows. Then the text has a line for
+//! each step: the index of its expression (`-` for none), its name, and the indices of its
+//! operands, which are earlier steps.
 
 use std::fmt;
 use std::str::{FromStr, SplitWhitespace};
@@ -93,7 +94,7 @@ fn step(graph: &Graph, node: Node, operands: &str) -> String {
     }
 }
 
-/// A line that is none of a formula.
+/// The error for a line that is not a line of a formula.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Unreadable {
     /// The line.

@@ -1,4 +1,4 @@
-//! Laws as text: `0.5d + 0.3d*sin(2.0d*pi*time - pi/2.0d)`, read and written anew in Kin's
+//! Reads laws as text, such as `0.5d + 0.3d*sin(2.0d*pi*time - pi/2.0d)`, and writes them in Kin's
 //! language.
 
 use std::f64::consts::PI;
@@ -44,8 +44,9 @@ const FUNCTIONS: [(&str, &str); 18] = [
 ];
 
 impl Formula {
-    /// Reads a formula; remarks in quotes are passed over. Errors: what is not understood, by its
-    /// words.
+    /// Reads a formula and ignores remarks in quotes.
+    ///
+    /// Errors: Kin cannot read a part of the text; the error contains this part.
     pub fn read(text: &str) -> Result<Formula, String> {
         let mut reader = Reader { tokens: tokens(text)?, at: 0, depth: 0 };
         let formula = reader.sum()?;
@@ -55,12 +56,14 @@ impl Formula {
         }
     }
 
-    /// Its value, if it does not depend on time.
+    /// Returns the value of the formula, or `None` if the formula depends on time.
     pub fn constant(&self) -> Option<f64> {
         if let Formula::Number(value) = self { Some(*value) } else { None }
     }
 
-    /// The law. Errors: a number that is not finite; what is too long.
+    /// Returns the formula as a law of time.
+    ///
+    /// Errors: a number is not finite; the formula is too long.
     pub fn law(&self) -> Result<Law, String> {
         if let Some(value) = self.constant() {
             return match value.is_finite() {

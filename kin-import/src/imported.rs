@@ -1,33 +1,34 @@
-//! The outcome of an import, and mistakes in a file.
+//! Stores the result of an import, and mistakes in a file.
 
 use std::fmt;
 
 use kin::Mechanism;
 
-/// A mechanism out of a file, and what of the file is not in it.
+/// A mechanism from a file, and the parts of the file that the mechanism omits.
 #[derive(Clone)]
 #[non_exhaustive]
 pub struct Imported {
-    /// The mechanism, its parts where the file has them.
+    /// The mechanism, with its parts at their positions in the file.
     pub mechanism: Mechanism,
-    /// Everything that was left out, in the order of the file.
+    /// The omitted parts of the file, in the order of the file.
     pub left_out: Vec<LeftOut>,
-    /// The times at which the other program solves it; none where the file does not say.   \[s\]
+    /// The times at which the other program solves the mechanism; empty if the file contains no
+    /// times. \[s\]
     pub times: Vec<f64>,
 }
 
-/// Something of a file that Kin has no place for.
+/// A part of a file that Kin cannot represent.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct LeftOut {
     /// The line of the file, counted from 1.
     pub line: usize,
-    /// Its name, with its kind.
+    /// The name of the part, with its kind.
     pub name: String,
-    /// Why it is left out.
+    /// The reason why Kin omits the part.
     pub reason: String,
-    /// True if the mechanism may move otherwise, or other forces act in it: a joint, a motion, a
-    /// load.
+    /// True if the omission can change the motion or the forces of the mechanism: a joint, a
+    /// motion, a load.
     pub matters: bool,
 }
 
@@ -38,13 +39,13 @@ impl fmt::Display for LeftOut {
     }
 }
 
-/// A file that cannot be read, at the line where it cannot.
+/// A mistake in a file that Kin cannot read, with its line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Mistake {
-    /// The line of the file, counted from 1; 0 where it is the whole file.
+    /// The line of the file, counted from 1; 0 if the mistake concerns the whole file.
     pub line: usize,
-    /// The reason.
+    /// A description of the mistake.
     pub reason: String,
 }
 

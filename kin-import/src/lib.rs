@@ -1,11 +1,11 @@
-//! Mechanisms of other programs, read from their files.
+//! Reads mechanisms from the files of other programs.
 //!
-//! [`asmt`] reads the files of OndselSolver, which solves assemblies of FreeCAD. A reader makes a
-//! [`kin::Mechanism`] and tells by name everything that it leaves out: a mechanism that lacks a
-//! joint or moves otherwise than in the program that it comes from is never made silently.
+//! [`asmt`] reads the files of OndselSolver, which solves assemblies of FreeCAD. A reader creates a
+//! [`kin::Mechanism`] and lists the names of all omitted parts. So a reader never silently creates
+//! a mechanism that lacks a joint or moves differently than in the other program.
 //!
-//! The files, in the order in which they stand on one another: `imported` (what comes out,
-//! mistakes) → `tree` (lines by their indentation) → `formula` (laws as text) → `asmt/`.
+//! The modules, each built on the modules before it: `imported` (results and mistakes) → `tree`
+//! (lines by their indentation) → `formula` (laws as text) → `asmt/`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

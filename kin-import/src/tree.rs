@@ -1,21 +1,23 @@
-//! Lines by their indentation: a line holds the lines below it that are indented further.
+//! Reads lines by their indentation: a line contains the lines below it that are indented further.
 
 use crate::imported::Mistake;
 
 /// Deeper files are refused.
 const DEEPEST: usize = 64;
 
-/// A line and what it holds.
+/// A line and the lines that it contains.
 #[derive(Debug, Default)]
 pub struct Tree<'a> {
-    /// Counted from 1.
+    /// The number of the line, counted from 1.
     pub line: usize,
     pub text: &'a str,
     pub inside: Vec<Tree<'a>>,
 }
 
 impl<'a> Tree<'a> {
-    /// The lines of a text, indented by tabs. Errors: a line that is indented too far.
+    /// Reads the lines of a text that is indented by tabs.
+    ///
+    /// Errors: a line is indented too far.
     pub fn read(text: &'a str) -> Result<Tree<'a>, Mistake> {
         let mut open = vec![Tree::default()];
         for (k, line) in text.lines().enumerate() {
@@ -35,23 +37,26 @@ impl<'a> Tree<'a> {
         Ok(open.pop().unwrap_or_default())
     }
 
-    /// The first line of that text in it.
+    /// Returns the first contained line with this text.
     pub fn get(&self, text: &str) -> Option<&Tree<'a>> {
         self.inside.iter().find(|tree| tree.text == text)
     }
 
-    /// The same; an error where there is none.
+    /// Returns the first contained line with this text.
+    ///
+    /// Errors: no contained line has this text.
     pub fn need(&self, text: &str) -> Result<&Tree<'a>, Mistake> {
         self.get(text)
             .ok_or_else(|| Mistake::at(self.line, format!("`{}` has no `{text}`", self.text)))
     }
 
-    /// The lines in the one of that text; nothing where there is none.
+    /// Returns the lines in the contained line with this text, or an empty list if no line has this
+    /// text.
     pub fn all(&self, text: &str) -> &[Tree<'a>] {
         self.get(text).map_or(&[], |tree| &tree.inside)
     }
 
-    /// The value in the line of that text.
+    /// Returns the value in the contained line with this text.
     pub fn value(&self, text: &str) -> Result<(&'a str, usize), Mistake> {
         let held = self.need(text)?;
         let value = held.inside.first();
@@ -60,13 +65,13 @@ impl<'a> Tree<'a> {
             .ok_or_else(|| Mistake::at(held.line, format!("`{text}` has no value")))
     }
 
-    /// The numbers in the line of that text.
+    /// Returns the numbers in the contained line with this text.
     pub fn numbers<const N: usize>(&self, text: &str) -> Result<[f64; N], Mistake> {
         let (value, line) = self.value(text)?;
         numbers(value, line)
     }
 
-    /// The rows of a matrix in the line of that text.
+    /// Returns the rows of a matrix in the contained line with this text.
     pub fn matrix(&self, text: &str) -> Result<[[f64; 3]; 3], Mistake> {
         let held = self.need(text)?;
         let [x, y, z] = held.inside.as_slice() else {

@@ -1,4 +1,4 @@
-//! A constraint from text on the bodies of a mechanism.
+//! Creates a constraint from text on the bodies of a mechanism.
 
 use std::sync::Arc;
 
@@ -18,7 +18,8 @@ use crate::read::{Asked, Condition, Read};
 use crate::signature::ParameterKind;
 use crate::stage::{Seen, Stage};
 
-/// A constraint whose equation was read from text: [`crate::Equation::on`] makes it.
+/// A constraint whose equation was read from text. [`crate::Equation::on`] creates such a
+/// constraint.
 #[derive(Clone)]
 pub struct ReadConstraint {
     pub(crate) read: Arc<Read>,
@@ -29,7 +30,7 @@ pub struct ReadConstraint {
     pub(crate) bindings: Bindings,
 }
 
-/// A body or coordinate that an argument stands for.
+/// The body or coordinate of an argument.
 #[derive(Clone, Copy, Debug)]
 pub enum Body {
     Planar(PlanarBody),
@@ -93,8 +94,9 @@ impl ReadConstraint {
         if shown.is_empty() { text.clone() } else { format!("{text} ({})", shown.join(", ")) }
     }
 
-    /// The largest value that is met at an instant on the way to C, C_q, C_t and Q_d: rounding of
-    /// these is a part of it.
+    /// Returns the largest intermediate value of C, C_q, C_t and Q_d at an instant.
+    ///
+    /// The rounding errors of these terms are proportional to this value.
     pub fn largest(&self, at: &At<'_>, qd: &Rates<'_>, t_dot: f64) -> f64 {
         let read = &*self.read;
         let seen = self.seen(at, Some(qd), t_dot);
@@ -319,7 +321,7 @@ impl Written for ReadConstraint {
     }
 }
 
-/// How many numbers a type has.
+/// Returns the number of numbers that a type contains.
 pub fn count(shape: &Shape) -> usize {
     match shape {
         Shape::Scalar => 1,

@@ -1,4 +1,4 @@
-//! An equation that was read, and the constraints that are made of it.
+//! Reads equations from text and creates constraints from them.
 
 use std::str::FromStr;
 use std::sync::Arc;
@@ -17,10 +17,11 @@ use crate::mistake::Mistakes;
 use crate::read::{Read, read};
 use crate::signature::ParameterKind;
 
-/// An equation C(q, t) = 0 that was read from text, with all its derivatives.
+/// An equation C(q, t) = 0 that Kin has read from text, with all derivatives.
 ///
-/// The text is a function as it stands under `#[constraint]`; functions and constants that it calls
-/// stand beside it in the same text, and `#[require]`, `#[branch]` and `#[measure]` before it.
+/// The text contains a function in the form of a function under `#[constraint]`. The same text
+/// contains the functions and constants that the function uses. The attributes `#[require]`,
+/// `#[branch]` and `#[measure]` can precede the function.
 ///
 /// ```
 /// use kin_text::Equation;
@@ -50,31 +51,31 @@ use crate::signature::ParameterKind;
 pub struct Equation(Arc<Read>);
 
 impl Equation {
-    /// Reads a text.
+    /// Reads an equation from a text.
     ///
-    /// Errors: every mistake in it, each with line, column and cure; what only a program can know
-    /// (types and functions that do not stand in the text); a text that is too long, too deep or
-    /// too large.
+    /// Errors: the text contains mistakes; the text uses a type or function that it does not
+    /// define; the text is too long, too deep or too large. Each mistake has a line, a column and a
+    /// suggestion.
     pub fn read(text: &str) -> std::result::Result<Equation, Mistakes> {
         read(text).map(|read| Equation(Arc::new(read)))
     }
 
-    /// The name of the function.
+    /// Returns the name of the function.
     pub fn name(&self) -> &str {
         &self.0.name
     }
 
-    /// The text that it was read from.
+    /// Returns the text of the equation.
     pub fn text(&self) -> &str {
         &self.0.text
     }
 
-    /// Kinds of its bodies and coordinates, in the order of the signature.
+    /// Returns the kinds of the bodies and coordinates, in the order of the signature.
     pub fn arguments(&self) -> Vec<ArgumentKind> {
         self.0.signature.slots.iter().map(|(_, kind)| *kind).collect()
     }
 
-    /// Begins a constraint on this body or coordinate, the first of the signature.
+    /// Begins a constraint with this body or coordinate as the first argument of the signature.
     pub fn on(&self, first: impl Into<On>) -> Making {
         Making { read: self.0.clone(), bodies: vec![], given: vec![] }.on(first)
     }
@@ -92,8 +93,8 @@ impl FromStr for Equation {
     }
 }
 
-/// A constraint that is being made of an equation: bodies in the order of the signature, parameters
-/// by name.
+/// Collects the arguments of a constraint: bodies in the order of the signature, parameters by
+/// name.
 #[derive(Clone)]
 #[must_use]
 pub struct Making {
@@ -103,22 +104,23 @@ pub struct Making {
 }
 
 impl Making {
-    /// The next body or coordinate of the signature.
+    /// Adds the next body or coordinate of the signature.
     pub fn on(mut self, next: impl Into<On>) -> Self {
         self.bodies.push(next.into());
         self
     }
 
-    /// The value of a parameter, in the unit that the equation takes it in. Its numbers, and those
-    /// of a law, may be [`Dimension`]s.
+    /// Sets the value of a parameter, in the unit that the equation requires.
+    ///
+    /// The numbers of the parameter, and the numbers of a law, may be [`Dimension`]s.
     pub fn with(mut self, name: &str, value: impl Into<Parameter>) -> Self {
         self.given.push((name.to_owned(), value.into()));
         self
     }
 
-    /// The constraint.
+    /// Creates the constraint from the equation and the collected arguments.
     ///
-    /// Errors: bodies or parameters that are missing, too many or of another kind.
+    /// Errors: a body or parameter is missing, superfluous or of another kind.
     pub fn constraint(self) -> Result<ReadConstraint> {
         let name = self.read.name.clone();
         self.made().map_err(|reason| Error::Data { place: format!("`{name}`"), reason })
@@ -218,7 +220,7 @@ fn wrong(name: &str, kind: ArgumentKind) -> String {
     format!("the argument `{name}` must be {wanted}")
 }
 
-/// A body or coordinate that a constraint is made on; the ground is a body of either kind.
+/// A body or coordinate as an argument of a constraint; the ground is a planar and a spatial body.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub enum On {
@@ -273,7 +275,7 @@ impl From<Ground> for On {
 #[derive(Clone)]
 #[non_exhaustive]
 pub enum Parameter {
-    /// The numbers of a number, vector, matrix, array or tuple; of an axis its direction.
+    /// The numbers of a scalar, vector, matrix, array or tuple, or the direction of an axis.
     Numbers(Vec<Dimension>),
     /// A law.
     Law(Law),

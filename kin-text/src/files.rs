@@ -1,4 +1,4 @@
-//! Mechanism files that carry their equations.
+//! Reads mechanism files that contain equations as text.
 
 use kin::Constraint;
 use kin::data::Reader;
@@ -14,8 +14,11 @@ use crate::equation::Equation;
 use crate::law;
 use crate::signature::ParameterKind;
 
-/// All joints, drivers and laws that ship, and the reader of equations and laws that mechanism
-/// files carry as text: `Mechanism::read_json("slot.json", &kin::text::registry())`.
+/// Returns a registry with all joints, drivers and laws of the library, which also reads equations
+/// and laws as text.
+///
+/// Use the registry to read a mechanism file:
+/// `Mechanism::read_json("slot.json", &kin::text::registry())`.
 pub fn registry() -> Registry {
     Registry::new().reading_equations(with_text).reading_laws(law::of_file)
 }

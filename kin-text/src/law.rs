@@ -1,4 +1,5 @@
-//! Laws from text: `fn lift(x: f64, h: f64) -> f64 { … }` becomes what `#[law]` makes of it.
+//! Creates laws from text: `fn lift(x: f64, h: f64) -> f64 { … }` becomes the same law as with
+//! `#[law]`.
 
 use std::sync::Arc;
 
@@ -17,11 +18,11 @@ use crate::read::{Asked, Places, read_with};
 use crate::signature::Signature;
 use crate::unknown::understood;
 
-/// A function of one variable that was read from text, with all its derivatives.
+/// A function of one variable that Kin has read from text, with all derivatives.
 ///
-/// The text is a function as it stands under `#[law]`: its first argument is the variable, the
-/// others are its parameters; functions and constants that it calls stand beside it in the same
-/// text.
+/// The text contains a function in the form of a function under `#[law]`. The first argument is the
+/// variable, and the other arguments are parameters. The same text contains the functions and
+/// constants that the function uses.
 ///
 /// ```
 /// use kin_text::LawText;
@@ -47,28 +48,29 @@ struct Read {
 }
 
 impl LawText {
-    /// Reads a text.
+    /// Reads a law from a text.
     ///
-    /// Errors: every mistake in it, each with line, column and cure, as of an equation.
+    /// Errors: the text contains mistakes, each with line, column and suggestion, as for an
+    /// equation.
     pub fn read(text: &str) -> Result<LawText, Mistakes> {
         let read = read_with(text, |(said, item, _)| of_item(said, item))?;
         Ok(LawText(Arc::new(Read { text: text.to_owned(), ..read })))
     }
 
-    /// The name of the function.
+    /// Returns the name of the function.
     pub fn name(&self) -> &str {
         &self.0.name
     }
 
-    /// Names of its numbers, such as `h`, `c[0]` or `u.x`.
+    /// Returns the names of the numbers of the law, such as `h`, `c[0]` or `u.x`.
     pub fn numbers(&self) -> &[String] {
         &self.0.signature.numbers
     }
 
-    /// The law with these numbers.
+    /// Creates the law with these numbers.
     ///
-    /// Errors: a number that is missing, not known, or not finite; laws that it is made of, which
-    /// only a file gives it; what its `#[require]` asks for.
+    /// Errors: a number is missing, unknown or not finite; the law contains other laws, which only
+    /// a file can provide; a condition of `#[require]` is not satisfied.
     pub fn law(&self, numbers: &[(&str, f64)]) -> Result<Law, String> {
         let known =
             |name: &str| numbers.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
@@ -105,7 +107,7 @@ impl LawText {
     }
 }
 
-/// Makes laws of the texts of files.
+/// Creates a law from its text in a file.
 pub fn of_file(file: &LawReader<'_>) -> Result<Law, String> {
     LawText::of_file(file)
 }

@@ -1,9 +1,11 @@
-//! Constraints from text: `fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 { …
-//! }` becomes, while a program runs, what `#[constraint]` makes of it when the program is compiled.
+//! Creates constraints and laws from text while a program runs.
 //!
-//! The rooms, in the order in which they stand on one another: `mistake`, `names`, `plain` and
-//! `stage` → `signature` → `read` (text → graph with every derivative) → `constraint` (one on
-//! bodies of a mechanism) → `equation` and `law` (what users hold) → `files`.
+//! The text `fn parabolic_slot(i: Planar, j: Planar, u_i: Vec2, k: f64) -> f64 { … }` gives the
+//! same constraint as `#[constraint]` at compile time.
+//!
+//! The modules, each built on the modules before it: `mistake`, `names`, `plain` and `stage` →
+//! `signature` → `read` (text → graph with every derivative) → `constraint` (a constraint on bodies
+//! of a mechanism) → `equation` and `law` (the types for users) → `files`.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

@@ -1,4 +1,4 @@
-//! Mistakes in a text: what is wrong, where, and the line with a caret under it.
+//! Describes mistakes in a text: the message, the place, and the line with carets.
 
 use std::fmt;
 
@@ -8,17 +8,17 @@ use proc_macro2::{LineColumn, Span};
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub struct Mistake {
-    /// The fault and its cure.
+    /// The mistake, and how to correct it.
     pub message: String,
-    /// Line, counted from 1.
+    /// The line of the mistake, counted from 1.
     pub line: usize,
-    /// Column, counted from 1.
+    /// The column of the mistake, counted from 1.
     pub column: usize,
-    /// The line as it is written, with the tokens that are meant underlined.
+    /// The line of the text, with the wrong tokens underlined.
     pub excerpt: String,
 }
 
-/// All mistakes of a text, in its order.
+/// All mistakes of a text, in the order of the text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mistakes(pub Vec<Mistake>);
 

@@ -1,5 +1,7 @@
-//! Names that live as long as the program, as facts of constraints ask for: each is kept once, and
-//! all of them together take a bounded part of memory.
+//! Stores names that live as long as the program, because the facts of constraints require such
+//! names.
+//!
+//! Kin stores each name once and limits the memory of all names.
 
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
@@ -14,7 +16,9 @@ struct Interned {
 
 static INTERNED: Mutex<Interned> = Mutex::new(Interned { names: BTreeSet::new(), bytes: 0 });
 
-/// The name, kept. Errors: names of all texts together have become too many.
+/// Returns the stored name.
+///
+/// Errors: all texts together have too many names.
 pub fn interned(name: &str) -> Result<&'static str, String> {
     let mut interned = INTERNED.lock().unwrap_or_else(PoisonError::into_inner);
     if let Some(known) = interned.names.get(name) {

@@ -1,6 +1,6 @@
-//! Functions that are generic in their numbers, as a program writes them for numbers with
-//! derivatives: a text has one kind of number, so that `Real<D>` is an `f64` and `Vec2<D>` a
-//! `Vec2`.
+//! Converts functions that are generic in their numbers to plain functions.
+//!
+//! A text has only one kind of number, so `Real<D>` becomes `f64` and `Vec2<D>` becomes `Vec2`.
 
 use syn::visit_mut::{self, VisitMut};
 use syn::{
@@ -8,7 +8,7 @@ use syn::{
     WherePredicate,
 };
 
-/// Takes the kind of number out of a function.
+/// Removes the generic number type from a function.
 pub fn make(function: &mut ItemFn) {
     let generics = &mut function.sig.generics;
     let bounds = generics.where_clause.iter().flat_map(|clause| &clause.predicates);
@@ -38,7 +38,7 @@ pub fn make(function: &mut ItemFn) {
     Plain(names).visit_item_fn_mut(function);
 }
 
-/// The same of every function that is declared inside of this one.
+/// Removes the generic number type from every function that is declared inside this function.
 pub fn make_inside(function: &mut ItemFn) {
     Inside.visit_block_mut(&mut function.block);
 }

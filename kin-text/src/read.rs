@@ -1,4 +1,4 @@
-//! A text read: its graph with every derivative, and what a constraint is asked for besides.
+//! Reads a text to a graph with every derivative, and to the other properties of a constraint.
 
 use kin::emitted::graph::Table;
 use kin::extend::{Dependence, Entry, Measured};
@@ -19,7 +19,7 @@ use crate::signature::Signature;
 use crate::stage::Stage;
 use crate::unknown::understood;
 
-/// An equation as it was read, for constraints on any bodies.
+/// An equation that Kin has read, for constraints on any bodies.
 pub struct Read {
     pub text: String,
     pub name: String,
@@ -38,7 +38,7 @@ pub struct Read {
     pub residual: Stage,
     pub velocity: Stage,
     pub acceleration: Stage,
-    /// Each law that is asked, and where.
+    /// Each law that the equation evaluates, with its argument.
     pub asked: Stage,
     pub asked_laws: Vec<usize>,
     /// The components of the points and directions, and what they are.
@@ -53,7 +53,7 @@ pub struct Read {
 
 /// A condition of an attribute.
 pub enum Condition {
-    /// It holds where this is not zero.
+    /// The condition is true if this number is not zero.
     NotZero(Asked),
     /// The law of that number repeats after this period.
     Periodic(usize, Asked),
@@ -73,13 +73,14 @@ const LONGEST: usize = 1 << 16;
 /// The stack of the thread that reads: what limits let through takes less.
 const STACK: usize = 64 << 20;
 
-/// Reads the equation of a text.
+/// Reads the equation from a text.
 pub fn read(text: &str) -> Result<Read, Mistakes> {
     Ok(Read { text: text.to_owned(), ..read_with(text, of_item)? })
 }
 
-/// Reads a text by `of_item`, which is shown its function. Memory of its tokens goes with a thread
-/// of its own.
+/// Reads a text by `of_item`, which receives the function of the text.
+///
+/// Kin reads in a separate thread, which frees the memory of the tokens when it ends.
 pub fn read_with<T: Send>(
     text: &str,
     of_item: impl Fn((TokenStream, ItemFn, Role)) -> syn::Result<T> + Sync,
@@ -267,7 +268,7 @@ impl Places<'_> {
         Ok(Stage::of(&lowered.graph, nodes, |k| numbers[k], |k| laws[k]))
     }
 
-    /// The formula of a function that was read.
+    /// Returns the formula of a function that Kin has read.
     pub fn asked(&self, folded: &Lowered) -> syn::Result<Asked> {
         let written = Written::of(self.arguments, folded);
         let lowered = written.lowered;

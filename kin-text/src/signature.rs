@@ -1,5 +1,5 @@
-//! The signature of an equation, without its tokens: bodies, and parameters with their numbers by
-//! name.
+//! Stores the signature of an equation without its tokens: bodies, and parameters with their
+//! numbers by name.
 
 use kin::extend::dual_route::ArgumentKind;
 use kin_language::formula::parameter_name;
@@ -27,7 +27,7 @@ pub struct Parameter {
     pub kind: ParameterKind,
 }
 
-/// The value that a parameter is.
+/// The kind of value of a parameter.
 #[derive(Clone, Debug)]
 pub enum ParameterKind {
     /// So many numbers from `first` on.
@@ -43,7 +43,9 @@ pub enum ParameterKind {
 }
 
 impl Signature {
-    /// Errors: parameters of types that only rustc knows, at the type.
+    /// Creates the signature from the arguments of a function.
+    ///
+    /// Errors: a parameter has a type that only rustc knows; the error is at the type.
     pub fn of(arguments: &[Argument]) -> syn::Result<Self> {
         let mut all = Signature { slots: vec![], parameters: vec![], numbers: vec![] };
         let mut laws = 0;
@@ -85,12 +87,12 @@ impl Signature {
         self.numbers.extend(paths.iter().map(|path| parameter_name(path, arguments)));
     }
 
-    /// The place of the number that a path reads.
+    /// Returns the index of the number with this name.
     pub fn number(&self, name: &str) -> Option<usize> {
         self.numbers.iter().position(|known| known == name)
     }
 
-    /// Names of the laws, in order.
+    /// Returns the names of the laws in order.
     pub fn laws(&self) -> impl Iterator<Item = &str> {
         let laws = self
             .parameters
@@ -99,7 +101,7 @@ impl Signature {
         laws.map(|parameter| parameter.name.as_str())
     }
 
-    /// The number of the law of that name.
+    /// Returns the index of the law with this name.
     pub fn law(&self, name: &str) -> Option<usize> {
         self.parameters.iter().find_map(|parameter| match parameter.kind {
             ParameterKind::Law(k) if parameter.name == name => Some(k),

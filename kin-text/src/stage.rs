@@ -1,5 +1,5 @@
-//! Nodes of a graph that are asked for together, in a graph of their own without anything else in
-//! it: the evaluator goes through it from the first to the last.
+//! Stores nodes that Kin evaluates together in a separate graph, which the evaluator computes from
+//! the first node to the last.
 
 use std::cell::Cell;
 
@@ -12,7 +12,7 @@ thread_local! {
     static MEMORY: Cell<Results<f64>> = Cell::default();
 }
 
-/// Outputs that are computed by one call.
+/// Outputs that one call computes.
 #[derive(Default)]
 pub struct Stage {
     graph: Graph,
@@ -20,8 +20,10 @@ pub struct Stage {
 }
 
 impl Stage {
-    /// `outputs` of `from`; its numbers of parameters are put in order by `parameter`, its laws by
-    /// `law`.
+    /// Creates a stage with the `outputs` of the graph `from`.
+    ///
+    /// The function `parameter` maps the indices of parameters, and the function `law` maps the
+    /// indices of laws.
     pub fn of(
         from: &Graph,
         outputs: &[Node],
@@ -45,8 +47,10 @@ impl Stage {
         Stage { graph, outputs: outputs.iter().map(|output| places[output.index()]).collect() }
     }
 
-    /// Computes the outputs into these places. Memory is kept from call to call; a law that asks
-    /// another stage meanwhile finds none and takes its own.
+    /// Computes the outputs and writes them to these places.
+    ///
+    /// Kin reuses memory from call to call. A law that evaluates another stage during the call
+    /// allocates separate memory.
     pub fn compute<'t>(&self, seen: &Seen<'_>, to: impl IntoIterator<Item = &'t mut f64>) {
         let mut results = MEMORY.take();
         evaluate_all(&self.graph, seen, &mut results);
@@ -56,7 +60,7 @@ impl Stage {
         MEMORY.set(results);
     }
 
-    /// The largest number, by its absolute value, of all that are met on the way to the outputs.
+    /// Returns the largest absolute value of all intermediate results of the outputs.
     pub fn largest(&self, seen: &Seen<'_>) -> f64 {
         let mut results = Results::default();
         evaluate_all(&self.graph, seen, &mut results);
@@ -65,7 +69,7 @@ impl Stage {
     }
 }
 
-/// The state, time and parameters that the inputs of a stage are read from.
+/// The state, time and parameters from which a stage reads its inputs.
 pub struct Seen<'a> {
     pub at: &'a At<'a>,
     pub rates: Option<&'a Rates<'a>>,

@@ -1,4 +1,4 @@
-//! Names that a program may know and a text does not.
+//! Finds names that a program can define but a text does not define.
 
 use kin_language::error::Mistakes;
 use kin_language::lower::template::Template;
@@ -10,9 +10,9 @@ use syn::{Error, Item};
 const BESIDE: &str =
     "write the function or constant that the equation uses into the text, beside the equation";
 
-/// The lowered function, if nothing in it is known to a program alone.
+/// Returns the lowered function if the text defines all names in it.
 ///
-/// Errors: all that is, each at its place.
+/// Errors: each name that only a program can define, at its place.
 pub fn understood(read: Result<Lowered, Failure>) -> syn::Result<Lowered> {
     let lowered = read.map_err(|failure| match failure {
         Failure::Mistakes(mistakes) => mistakes,

@@ -1,4 +1,4 @@
-//! Bars: which dimensions a tolerance comes from.
+//! Draws bars that show the share of each dimension in a tolerance.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -19,9 +19,11 @@ const BOTTOM: f64 = 30.0;
 /// Characters of a name that have room beside its bar.
 const LONGEST: usize = 22;
 
-/// The shares that dimensions have in a tolerance, the largest first: of the worst case a broad
-/// bar, of the variance a narrow one below it. A larger dimension makes the measure larger where
-/// the bar is blue, smaller where it is vermilion.
+/// A chart of the shares of the dimensions in a tolerance, the largest first.
+///
+/// A broad bar shows the share in the worst case, and a narrow bar below it shows the share in the
+/// variance. A blue bar means that the measure grows with the dimension; a vermilion bar means that
+/// the measure decreases.
 pub struct Bars {
     title: String,
     summary: String,
@@ -38,7 +40,9 @@ struct Row {
 }
 
 impl Bars {
-    /// Of a tolerance, with the time at which it is that.
+    /// Creates the bars of a tolerance.
+    ///
+    /// `time_unit` is the unit of the tolerance's time in the title.
     pub fn new(tolerance: &Tolerance, time_unit: &str) -> Bars {
         let Tolerance { name, unit, .. } = tolerance;
         let when = match tolerance.feature {
@@ -68,15 +72,17 @@ impl Bars {
         }
     }
 
-    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with
-    /// the feature `png`), else as SVG.
+    /// Writes the picture to a file and creates missing folders.
     ///
-    /// Errors: a file that cannot be written, by its path.
+    /// The format is PNG if the name of the file ends with `.png`, otherwise SVG. PNG needs the
+    /// feature `png`.
+    ///
+    /// Errors: Kin cannot write the file; the error contains the path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         file::save_picture(path.as_ref(), &self.svg())
     }
 
-    /// The picture as SVG.
+    /// Returns the picture as SVG.
     pub fn svg(&self) -> String {
         let height = TOP + ROW * self.rows.len() as f64 + BOTTOM;
         let most =

@@ -1,4 +1,4 @@
-//! Colours told apart by every eye.
+//! Defines colours that colour-blind readers can distinguish.
 
 /// Blue, vermilion, green, purple, orange, sky blue (Okabe and Ito), brown, violet.
 pub(crate) const PALETTE: [&str; 8] =

@@ -1,4 +1,4 @@
-//! Pictures and pages on disk.
+//! Writes pictures and pages to files.
 
 use std::io;
 use std::path::Path;

@@ -1,10 +1,11 @@
-//! Something to look at: charts, drawings of a mechanism, a page that moves, an animated picture.
-//! Nothing here needs a network.
+//! Draws charts, mechanisms, animated pictures and interactive pages.
+//!
+//! No picture or page needs a network.
 //!
 //! * [`Figure`] and [`Panel`]: quantities over time and paths in the plane, as SVG.
-//! * [`Scene`]: how a mechanism is drawn; from it a [`Picture`] at a time, as a sequence or
-//!   animated, and a [`Page`].
-//! * [`Bars`]: which dimensions a tolerance comes from.
+//! * [`Scene`]: describes how a mechanism is drawn. A scene creates a [`Picture`] (at a time, as a
+//!   sequence, or animated) and a [`Page`].
+//! * [`Bars`]: the share of each dimension in a tolerance.
 #![forbid(unsafe_code)]
 #![warn(missing_docs)]
 

@@ -1,4 +1,4 @@
-//! A map: one number for each place of a grid, as colours; what is not finite stays blank.
+//! Draws maps: one number for each cell of a grid, as a colour.
 
 use std::path::Path;
 
@@ -21,7 +21,7 @@ const LEVELS: usize = 40;
 const SIDE: f64 = 420.0;
 const ROOM: [f64; 4] = [78.0, 44.0, 130.0, 58.0];
 
-/// Numbers over a grid, as colours.
+/// A map of numbers over a grid, as colours.
 pub struct Map {
     title: String,
     x: Axis,
@@ -37,7 +37,7 @@ struct Axis {
 }
 
 impl Map {
-    /// A map of a quantity, with the label and unit of its colours.
+    /// Creates a map of a quantity, with the label and unit of its colours.
     pub fn new(title: &str, quantity: &str) -> Map {
         let axis = || Axis { label: String::new(), ends: (0.0, 1.0), count: 0 };
         Map {
@@ -49,34 +49,37 @@ impl Map {
         }
     }
 
-    /// To the right: `count` cells whose middles go from `first` to `last`.
+    /// Sets the horizontal axis: `count` cells whose centres go from `first` to `last`.
     pub fn along_x(mut self, label: &str, first: f64, last: f64, count: usize) -> Map {
         self.x = Axis { label: label.to_string(), ends: (first, last), count };
         self
     }
 
-    /// Upwards: `count` cells whose middles go from `first` to `last`.
+    /// Sets the vertical axis: `count` cells whose centres go from `first` to `last`.
     pub fn along_y(mut self, label: &str, first: f64, last: f64, count: usize) -> Map {
         self.y = Axis { label: label.to_string(), ends: (first, last), count };
         self
     }
 
-    /// The values, row by row from the lowest, each from left to right; missing ones, and what is
-    /// not finite, stay blank.
+    /// Sets the values, row by row from the lowest row, each row from left to right.
+    ///
+    /// A cell without a value, or with a value that is not finite, remains blank.
     pub fn values(mut self, values: impl IntoIterator<Item = f64>) -> Map {
         self.values = values.into_iter().collect();
         self
     }
 
-    /// Writes the map, making folders that are missing; as PNG if the file is called so (with the
-    /// feature `png`), else as SVG.
+    /// Writes the map to a file and creates missing folders.
     ///
-    /// Errors: a file that cannot be written, by its path.
+    /// The format is PNG if the name of the file ends with `.png`, otherwise SVG. PNG needs the
+    /// feature `png`.
+    ///
+    /// Errors: Kin cannot write the file; the error contains the path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         file::save_picture(path.as_ref(), &self.svg())
     }
 
-    /// The map as SVG.
+    /// Returns the map as SVG.
     pub fn svg(&self) -> String {
         let [left, top, right, bottom] = ROOM;
         let width = left + SIDE + right;

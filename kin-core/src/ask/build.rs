@@ -16,10 +16,12 @@ use crate::system::evaluate::Equations;
 
 impl Mechanism {
     /// Builds the system of the equations, with the norm constraints of spatial bodies at the end.
+    ///
     /// The system may have more equations than coordinates.
     ///
-    /// Errors: fewer equations than coordinates ([`Error::CannotBeDriven`], with its diagnosis at t
-    /// = 0), a mistake in a call without a result, such as [`Mechanism::prefer`].
+    /// Errors: the mechanism has fewer equations than coordinates ([`Error::CannotBeDriven`], with
+    /// its diagnosis at t = 0); an earlier call that returns no result, such as
+    /// [`Mechanism::prefer`], contained a mistake.
     pub fn build(self) -> Result<System> {
         let system = self.system()?;
         if system.n_equations() < system.n_coordinates() {
@@ -31,21 +33,23 @@ impl Mechanism {
         Ok(system)
     }
 
-    /// Diagnoses the mechanism at time t, assembled from its guess, whether it can be driven or
-    /// not.
+    /// Diagnoses the mechanism at time t, after assembling it from its guess.
     ///
-    /// Errors: those of [`Mechanism::build`] but for the count; t not finite, a pose of the wrong
-    /// length, nothing finite nearby.
+    /// Kin also diagnoses a mechanism that cannot be driven.
+    ///
+    /// Errors: those of [`Mechanism::build`], except the one for too few equations; t is not
+    /// finite; the pose has the wrong length; Kin finds no nearby pose at which all equations are
+    /// finite.
     pub fn diagnose<'q>(&self, at: impl Into<At<'q>>) -> Result<Diagnosis> {
         self.clone().system()?.diagnose(at)
     }
 
-    /// Holds every rotation that moves nothing else, such as that of a rod between two ball joints
-    /// about its axis.
+    /// Holds every idle rotation: a rotation of one body that moves no other body, such as the
+    /// rotation of a rod between two ball joints about its axis.
     ///
-    /// Each such rotation gets one equation with the name `BODY.idle`, which keeps the body at its
-    /// angle at t = 0. Returns the names of these bodies; the list is empty if there is no such
-    /// rotation.
+    /// Kin adds one equation with the name `BODY.idle` for each idle rotation. The equation keeps
+    /// the body at its angle at t = 0. The result lists the names of the held bodies; the list is
+    /// empty if the mechanism has no idle rotation.
     ///
     /// Errors: those of [`Mechanism::diagnose`].
     pub fn hold_idle_turns(&mut self) -> Result<Vec<String>> {

@@ -12,19 +12,24 @@ impl System {
     /// Solves for position, velocity and acceleration at time t, from the guess to the preferred
     /// assembly.
     ///
-    /// Errors: no convergence, singular, not finite.
+    /// Errors: the iteration does not converge; the position is singular; a value is not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
         self.solver().position(t)
     }
 
     /// Solves for position, velocity and acceleration at time t by damped Newton steps from q0
-    /// (length n), with no preferred assembly. Errors: wrong length, no convergence, singular, not
-    /// finite.
+    /// (length n).
     ///
-    /// After a call of [`System::compile`] positions that are near q0 (each coordinate within a
-    /// tenth of a radian, or of the mechanism's typical length, and Newton's steps shrink quickly)
-    /// are found by the program, two to nine times faster; [`crate::results::Report::compiled`]
-    /// tells.
+    /// The call ignores preferred assemblies.
+    ///
+    /// Errors: q0 has the wrong length; the iteration does not converge; the position is singular;
+    /// a value is not finite.
+    ///
+    /// After a call of [`System::compile`] the compiled program finds positions near q0, two to
+    /// nine times faster than the step-by-step solver. A position is near q0 if each coordinate is
+    /// within a tenth of a radian, or of the mechanism's typical length, and if Newton's steps
+    /// shrink quickly. [`crate::results::Report::compiled`] says whether the program found the
+    /// position.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -49,45 +54,51 @@ impl System {
     /// Solves for position, velocity and acceleration at each of the times, which must only
     /// increase or only decrease.   \[s\]
     ///
-    /// Errors: no convergence, singular, not finite; each carries the motion up to it
-    /// ([`Error::motion`](crate::Error::motion)).
+    /// Errors: the iteration does not converge; a position is singular; a value is not finite. Each
+    /// error carries the motion before the failure ([`Error::motion`](crate::Error::motion)).
     pub fn run(&self, times: impl AsRef<[f64]>) -> Result<Motion> {
         self.solver().run(times)
     }
 
-    /// Prepares many cases of this system. The named parameters (such as `A.u_i.x`) and initial
-    /// values (such as `rocker.theta`) differ from case to case. See [`Sweep`].
+    /// Prepares many cases of this system, which differ in the named parameters or initial values.
+    ///
+    /// A parameter has a name such as `A.u_i.x`, an initial value a name such as `rocker.theta`.
+    /// [`Sweep`] describes how to run the cases.
     ///
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'_>> {
         self.solver().sweep(names)
     }
 
-    /// Diagnoses the mechanism at a time, assembled from the guess: counts, rank, dependencies
-    /// between equations and freedoms by name. With a pose, `diagnose((t, &q))`, it begins at that
-    /// pose and first satisfies C = 0 from there.
+    /// Diagnoses the mechanism at a time: counts, rank, dependencies between equations, and
+    /// freedoms by name.
     ///
-    /// Errors: t not finite, a pose of the wrong length, nothing finite nearby.
+    /// Kin first assembles the mechanism from the guess. If you give a pose, as in
+    /// `diagnose((t, &q))`, Kin assembles the mechanism from that pose.
+    ///
+    /// Errors: t is not finite; the pose has the wrong length; Kin finds no nearby pose at which
+    /// all equations are finite.
     pub fn diagnose<'q>(&self, at: impl Into<At<'q>>) -> Result<Diagnosis> {
         self.solver().diagnose(at)
     }
 
-    /// All assemblies that are found at time t, in the order of their labels, and whether they are
-    /// all there are ([`Assemblies::complete`]); the same each time, by any number of threads. A
-    /// list reads like a slice.
+    /// Returns all assemblies that Kin finds at time t, in the order of their labels.
     ///
-    /// The search goes on until more starts are not expected to lead to another assembly. Poses
-    /// with a hinge turned over, its axes opposed, are left out. If no assembly is found, the list
+    /// [`Assemblies::complete`] says whether the list is complete. The result is the same in every
+    /// run and with any number of threads. [`Assemblies`] dereferences to a slice.
+    ///
+    /// The search ends when Kin expects no other assembly from more starts. The list omits poses in
+    /// which the two axes of a hinge have opposite directions. If Kin finds no assembly, the list
     /// is empty.
     ///
-    /// Errors: t not finite, a mechanism that is free to move.
+    /// Errors: t is not finite; the mechanism is free to move.
     pub fn assemblies(&self, t: f64) -> Result<Assemblies> {
         self.solver().assemblies(t)
     }
 
-    /// Returns the assembly of a label that [`System::assemblies`] gave out.
+    /// Returns the assembly with a label from [`System::assemblies`].
     ///
-    /// Errors: those of [`System::assemblies`]; no assembly of that name.
+    /// Errors: those of [`System::assemblies`]; no assembly has this label.
     pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
         self.solver().assembly(t, label)
     }

@@ -1,5 +1,7 @@
-//! Checks a user-defined constraint or law in one line of a test. It compares symbolic code with
-//! dual numbers, term by term, and both with central differences of the function as it was written.
+//! Checks the derivatives of a user-defined constraint or law in one line of a test.
+//!
+//! The check compares symbolic code with dual numbers, term by term. The check also compares both
+//! with central differences of the function as you wrote it.
 //!
 //! ```
 //! use kin::prelude::*;
@@ -31,28 +33,28 @@ use crate::model::dual_route::{ArgumentKind, Equation};
 use crate::model::terms::{Terms, dual_terms, terms};
 use central::Central;
 
-/// The largest differences between the routes.
+/// The largest differences between the routes to the derivatives of a constraint.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Report {
     /// Largest difference of a term between the constraint's route and dual numbers, relative to 1
     /// + the largest entry of the term.
     pub routes: f64,
-    /// Largest difference of C, C_q, C_t and Q_d from central differences, with the same relative
-    /// measure.
+    /// Largest difference of C, C_q, C_t and Q_d from central differences, relative to 1 + the
+    /// largest entry of the term.
     pub differences: f64,
-    /// Number of states at which the interval bounds of C and C_q, which [`crate::System::prove`]
-    /// uses, were known over boxes around the state. All values are within these bounds.
+    /// Number of states at which interval bounds of C and C_q are known over boxes around the
+    /// state. All values are within their bounds. [`crate::System::prove`] uses the same bounds.
     pub bounded: usize,
-    /// Number of compared states. States with a function or derivative that is not finite are
-    /// omitted.
+    /// Number of compared states. The check omits a state at which the function or a derivative is
+    /// not finite.
     pub states: usize,
 }
 
-/// The largest relative difference between routes that counts as rounding.
+/// The largest relative difference between routes that the check accepts as rounding.
 pub const ROUTES_TOLERANCE: f64 = 1e-12;
-/// The largest relative difference from central differences (step 1e-5) that counts as the error of
-/// the differences.
+/// The largest relative difference from central differences (step 1e-5) that the check accepts as
+/// their error.
 pub const DIFFERENCES_TOLERANCE: f64 = 1e-6;
 /// The seed of the states of [`derivatives`] and [`compare`]. Every run uses the same states.
 pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
@@ -60,26 +62,27 @@ pub const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 /// Asserts that all routes to the derivatives of `equation` agree and are within their interval
 /// bounds.
 ///
-/// It compares 24 states within ±2 (m, rad, /s; Euler parameters near length one) and t in 0..4 s.
-/// Every run uses the same states.
+/// The check compares 24 states, the same in every run. Coordinates are within ±2 m or rad,
+/// velocities within ±2 m/s or rad/s, and t is in 0..4 s. Euler parameters have a length near one.
 ///
-/// Use it in a test: it panics with a table of the entries that disagree, and their state.
-/// [`compare`] returns the table as a value.
+/// Use the function in a test. If entries disagree, the function panics with a table of the entries
+/// and their state. [`compare`] returns the table as a value.
 pub fn derivatives<E: Equation<N, M> + Clone, const N: usize, const M: usize>(equation: E) {
     if let Err(mismatch) = compare::<E, N, M>(&equation) {
         panic!("{mismatch}");
     }
 }
 
-/// Compares all routes to the derivatives of `equation` at 24 states. The first state at which they
-/// disagree is the error.
+/// Compares all routes to the derivatives of `equation` at 24 states.
+///
+/// Errors: the routes disagree at a state; the error describes the first one.
 pub fn compare<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
 ) -> Result<Report, Box<Mismatch>> {
     compare_from::<E, N, M>(equation, SEED)
 }
 
-/// Compares all routes at 24 other states, which `seed` selects.
+/// Compares all routes to the derivatives of `equation` at 24 states that `seed` selects.
 pub fn compare_from<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     seed: u64,
@@ -114,7 +117,7 @@ fn near_one(arguments: &[ArgumentKind], q: &mut [f64], spread: &mut Spread) {
     }
 }
 
-/// Compares all routes at one state that you choose.
+/// Compares all routes to the derivatives of `equation` at one state that you choose.
 pub fn at<E: Equation<N, M> + Clone, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64; N],

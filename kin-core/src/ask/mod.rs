@@ -1,5 +1,5 @@
 //! The analyses of mechanisms and motions: the calls of a system, diagnosis, proof, measures, and
-//! the check of derivative routes.
+//! the check of derivatives.
 
 mod build;
 mod calls;

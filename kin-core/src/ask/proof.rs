@@ -8,8 +8,8 @@
 //! * At every t of the step C(q, t) = 0 has a solution within [`Tube::radius`] of p(t), and no
 //!   other solution within [`Tube::alone`].
 //! * This solution is continuous in t.
-//! * The solution is the one next to the computed position at each end. [`Proof::error`] bounds
-//!   their distance.
+//! * At each end the solution is the one next to the computed position. [`Proof::error`] bounds the
+//!   distance between the solution and the computed position.
 //!
 //! Solutions of neighbouring steps are equal where the steps meet, so consecutive proved steps are
 //! one motion.
@@ -25,43 +25,49 @@
 //! * **C_q over p(T) + Y** gives R ≥ |I − A C_q| entry by entry.
 //! * **Krawczyk's test** (`krawczyk.rs`) needs b ≥ |A c(T)| and y > 0 with z = b + R y < y ≤ ρ s.
 //!   The map y ↦ y − A C(p(t) + y, t) then maps the box of y into the box of z at each t of T, so a
-//!   solution exists within z (Brouwer). R y < y makes the spectral radius of R less than 1
-//!   (Collatz and Wielandt). So every matrix between the bounds of C_q is regular, including the
-//!   means of C_q along straight lines in the box. C therefore has no value twice in the box, and
-//!   there is no second solution within ρ s. The only solution, at every t, of a continuous C in a
-//!   closed box is continuous in t. Krawczyk, *Computing* 4 (1969); Neumaier, *Interval Methods for
-//!   Systems of Equations*, ch. 5.
-//! * **Joins.** At the time at which two pieces meet, each has one solution. If the z of one is in
-//!   the box ρ s of the other, the solution of the first is a solution in the box of the second.
-//!   That box has only one solution, so both are equal. At the ends of a step Kin adds the rounding
-//!   of p. Each computed position is a piece without length. Steps are joined to the positions at
-//!   their ends, and through them to one another.
+//!   solution exists within z (Brouwer). The inequality R y < y implies that the spectral radius of
+//!   R is less than 1 (Collatz and Wielandt). So every matrix between the bounds of C_q is regular,
+//!   including the means of C_q along straight lines in the box. C therefore has no value twice in
+//!   the box, and no second solution exists within ρ s. If a continuous C has exactly one solution
+//!   in a closed box at every t, this solution is continuous in t. Krawczyk, *Computing* 4 (1969);
+//!   Neumaier, *Interval Methods for Systems of Equations*, ch. 5.
+//! * **Joins.** At the time at which two pieces meet, each piece has one solution. If the box z of
+//!   the first piece is in the box ρ s of the second, the solution of the first piece is also in
+//!   the box of the second. The box of the second piece contains only one solution, so both
+//!   solutions are equal. At the ends of a step Kin adds the rounding of p. Each computed position
+//!   is a piece without length. Kin joins each step to the positions at its ends, and so joins
+//!   consecutive steps.
 //!
-//! Kin halves a piece that fails, at most 14 times, and tests at most 256 pieces in a step. Then it
-//! reports the time and the reason. At a singular position (a toggle, a change point) the bounds of
-//! C_q contain a singular matrix, so Kin never proves a step over one.
+//! Kin halves a piece that fails the test, at most 14 times, and tests at most 256 pieces in a
+//! step. If a piece still fails, Kin reports the time and the reason. At a singular position (a
+//! toggle, a change point) the bounds of C_q contain a singular matrix, so Kin never proves a step
+//! over one.
 //!
 //! # Assumptions
-//! * Interval arithmetic rounds outwards (`numbers/enclosure/interval.rs`). The functions of `f64`
-//!   may have an error of 8 units in the last place, far more than their observed worst errors
-//!   (`numbers/enclosure/tests/accuracy.rs`).
-//! * The equation is the one that the user wrote, with decimals as decimals and with its parameters
-//!   as they are in memory. Kin interprets its formula (`model/formula.rs`), not the compiled code.
-//!   It relies on the values that the user's program computes from parameters alone.
-//! * Every row is continuous over the whole box, not only along the curve. If something can jump
-//!   there (floor, `%`, an `if`, an angle over its cut), Kin proves nothing, whether C_q has an
-//!   entry for it or not.
-//! * Laws are exact formulas (π is π). Pieces of a law that meet within rounding meet exactly
-//!   (`numbers/enclosure/pieces.rs`); at their seam only derivatives that agree count. An angle by
-//!   `atan2` is continuous across its cut if its use (sine, cosine, a law whose formula repeats)
-//!   does not depend on full revolutions.
+//! * Interval arithmetic rounds outwards (`numbers/enclosure/interval.rs`). Kin allows the
+//!   functions of `f64` an error of 8 units in the last place, far more than their observed worst
+//!   errors (`numbers/enclosure/tests/accuracy.rs`).
+//! * The equation is the one that the user wrote. A decimal number in its text has its exact value,
+//!   and a parameter has its value in memory. Kin interprets the formula of the equation
+//!   (`model/formula.rs`), not the compiled code. Kin relies on the values that the user's program
+//!   computes from parameters alone.
+//! * Every row is continuous over the whole box, not only along the curve. If an expression can
+//!   jump in the box (floor, `%`, an `if`, an angle over its cut), Kin does not prove the step,
+//!   even if C_q has no entry for the expression.
+//! * Laws are exact formulas (π is π). If two pieces of a law meet within rounding, Kin assumes
+//!   that they meet exactly (`numbers/enclosure/pieces.rs`). Where two pieces meet, Kin uses only
+//!   derivatives that agree on both sides. An angle by `atan2` is continuous across its cut if its
+//!   use (sine, cosine, a law whose formula repeats) does not depend on full revolutions.
 //! * The bounds that user-defined laws state are correct; [`Proof::trusted`] names these laws.
 //!
 //! # Limits
-//! Kin proves nothing about mechanisms with redundant equations, because numbers do not show that
-//! the omitted equations hold exactly. It also proves nothing about constraints on the dual route
-//! or written by hand, about laws without an expression, and about steps in which the condition of
-//! an `if` changes.
+//! Not supported:
+//!
+//! * mechanisms with redundant equations, because numbers do not show that the omitted equations
+//!   are satisfied exactly;
+//! * constraints on the dual route and hand-written constraints;
+//! * laws without a formula or stated bounds;
+//! * steps in which the condition of an `if` changes.
 
 mod bounds;
 mod krawczyk;
@@ -87,7 +93,7 @@ use step::{Curve, Failure, step};
 /// operations for each piece.
 const LARGEST: usize = 400;
 
-/// The proof of a motion, step by step. `Display` writes the verdict.
+/// The proof of a motion, step by step. `Display` writes the result of the proof.
 #[derive(Clone, Debug)]
 pub struct Proof {
     name: String,
@@ -102,14 +108,15 @@ pub struct Proof {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct StepProof {
-    /// The index of the step, counted from 0: it goes from time k of the motion to the next.
+    /// The index k of the step, counted from 0. Step k goes from time k of the motion to the next
+    /// time.
     pub step: usize,
     /// The start of the step. \[s\]
     pub from: f64,
     /// The end of the step. \[s\]
     pub to: f64,
-    /// The tube around it in which the motion is the only solution, or what stands in the way of
-    /// showing that.
+    /// The tube around the step in which the motion is the only solution, or the obstacle to the
+    /// proof.
     pub tube: std::result::Result<Tube, Unproved>,
 }
 
@@ -118,10 +125,10 @@ pub struct StepProof {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tube {
-    /// The largest distance of the solution from the position interpolated by q, q̇ and q̈ at both
-    /// ends, at every time.
+    /// The largest distance, over all times of the step, of the solution from the position
+    /// interpolated by q, q̇ and q̈ at both ends.
     pub radius: Vec<f64>,
-    /// The distance from that position within which there is no other solution.
+    /// The distance from the interpolated position within which no other solution exists.
     pub alone: Vec<f64>,
 }
 
@@ -133,7 +140,7 @@ pub struct Unproved {
     pub t: f64,
     /// Names of the units of length and time.
     pub units: Units,
-    /// The obstacle.
+    /// The kind of the obstacle.
     pub reason: UnprovedReason,
 }
 
@@ -146,15 +153,16 @@ pub enum UnprovedReason {
         /// The coordinate that can move most while everything else is nearly satisfied.
         coordinate: String,
     },
-    /// The positions between both ends are not near a solution: the ends may be on different
-    /// branches, or the step is too large.
+    /// The interpolated positions between both ends are not near a solution: the ends may be on
+    /// different branches, or the step is too large.
     Apart {
         /// The equation with the largest residual.
         equation: String,
         /// The residual, in the unit of the equation.
         by: f64,
     },
-    /// An equation has no known bounds there: something in it jumps, or has no value or slope.
+    /// An equation has no known bounds at this time: an expression in the equation jumps, or has no
+    /// value or slope.
     Unbounded {
         /// The equation.
         equation: String,
@@ -169,14 +177,14 @@ impl System {
     /// Proves for each step of a motion that exactly one continuous motion leads from one computed
     /// position to the next.
     ///
-    /// The proof uses interval bounds. For a step without a proof it contains the reason.
+    /// The proof uses interval bounds. If Kin cannot prove a step, the result contains the reason.
     /// [`crate::results::proof`] describes what a proof shows and what it assumes.
     ///
-    /// A proof takes some hundred times as long as the run and uses all cores. Its time grows like
-    /// n³ with the number n of coordinates.
+    /// A proof takes some hundred times as long as the run and uses all cores. The time of a proof
+    /// grows like n³ with the number n of coordinates.
     ///
-    /// Errors: [`Error::CannotBeProved`] for a mechanism with redundant equations or with more than
-    /// 400 coordinates, and for a constraint or law without known bounds; a motion of another
+    /// Errors: the mechanism has redundant equations or more than 400 coordinates, or a constraint
+    /// or law has no known bounds ([`Error::CannotBeProved`]); the motion belongs to another
     /// system.
     pub fn prove(&self, motion: &Motion) -> Result<Proof> {
         self.own(motion)?;
@@ -290,7 +298,8 @@ impl From<Around> for Tube {
 }
 
 impl Proof {
-    /// Returns true if every step is proved, and every position of a motion without steps.
+    /// Returns true if Kin proved every step. For a motion without steps, returns true if Kin
+    /// proved every position.
     pub fn is_complete(&self) -> bool {
         self.steps.iter().all(|step| step.tube.is_ok())
             && self.positions.iter().all(std::result::Result::is_ok)
@@ -306,8 +315,10 @@ impl Proof {
         self.steps.iter().filter(|step| step.tube.is_ok()).count()
     }
 
-    /// Returns the user-defined laws whose stated bounds the proof relies on
-    /// ([`crate::model::law::LawFunction::over`]), each with its constraint.
+    /// Returns the names of the user-defined laws whose stated bounds
+    /// ([`crate::model::law::LawFunction::over`]) the proof relies on.
+    ///
+    /// Each name contains the constraint of the law.
     pub fn trusted(&self) -> &[String] {
         &self.trusted
     }

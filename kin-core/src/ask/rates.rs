@@ -6,7 +6,8 @@ use crate::solve::newton::redundant;
 use crate::system::System;
 
 impl System {
-    /// Returns q̇ at a position q, from C_q q̇ = −C_t. Errors: wrong length, not finite, singular.
+    /// Returns q̇ at a position q, from C_q q̇ = −C_t. Errors: a list has the wrong length; a value
+    /// is not finite; the position is singular.
     pub fn velocity(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let rhs: Vec<f64> = self.c_t(q, t)?.into_iter().map(|x| -x).collect();
         let qd = self.solved(q, t, &rhs)?;
@@ -14,8 +15,8 @@ impl System {
         Ok(qd)
     }
 
-    /// Returns q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: wrong length, not
-    /// finite, singular.
+    /// Returns q̈ at a position q and velocity q̇, from C_q q̈ = Q_d. Errors: a list has the wrong
+    /// length; a value is not finite; the position is singular.
     pub fn acceleration(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
         let q_d = self.acceleration_rhs(q, qd, t)?;
         let qdd = self.solved(q, t, &q_d)?;
@@ -25,7 +26,7 @@ impl System {
 
     /// Returns q⃛ at a position q, velocity q̇ and acceleration q̈, from C_q q⃛ = −g‴(0).
     ///
-    /// Errors: those of [`System::jerk_rhs`], singular.
+    /// Errors: those of [`System::jerk_rhs`]; the position is singular.
     pub fn jerk(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
         let rhs = self.jerk_rhs(q, qd, qdd, t)?;
         let qddd = self.solved(q, t, &rhs)?;

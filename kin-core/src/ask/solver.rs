@@ -1,4 +1,4 @@
-//! The solver of a system: every call with options.
+//! The solver of a system: the calls of a system, with options.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
@@ -12,10 +12,11 @@ use crate::solve::newton::{self, Newton, SolverOptions, Steps, first_position, r
 use crate::solve::sweep::Sweep;
 use crate::system::{Solution, System, time};
 
-/// A time, and the pose at which to begin there.
+/// A time, and the pose at which the solver begins.
 ///
-/// A time alone begins at the drawn position: `diagnose(0.0)`. A pair of a time and a pose q
-/// (length n, \[m, rad\]) begins at that pose: `diagnose((0.0, &q))`.
+/// With a time alone, as in `diagnose(0.0)`, the solver begins at the drawn position. With a pair
+/// of a time and a pose q (length n, \[m, rad\]), as in `diagnose((0.0, &q))`, the solver begins at
+/// the pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct At<'q> {
     pub(crate) t: f64,
@@ -40,10 +41,10 @@ impl<'q> From<(f64, &'q Vec<f64>)> for At<'q> {
     }
 }
 
-/// The solver of a system: options, progress, and all calls that take them.
+/// The solver of a system, with its options and a progress callback.
 ///
-/// [`System::run`], [`System::position`] and their siblings are the calls of a solver with default
-/// options.
+/// [`System::run`], [`System::position`] and the other calls of a [`System`] use a solver with
+/// default options.
 ///
 /// ```
 /// use kin::SolverOptions;
@@ -81,22 +82,26 @@ impl System {
 }
 
 impl<'a> Solver<'a> {
-    /// Sets the options.
+    /// Sets the options of all calls of this solver.
     pub fn options(mut self, options: SolverOptions) -> Self {
         self.options = options;
         self
     }
 
-    /// Calls `progress` with the number of times done and of all times: before each step of the
-    /// step-by-step solver, once for each block of times of the compiled program, and before each
-    /// part of [`Solver::run_in_parts`]. A sweep has its own, [`Sweep::progress`].
+    /// Calls `progress` during a run with the number of computed times and the number of all times.
+    ///
+    /// The step-by-step solver calls it before each step. The compiled program calls it once for
+    /// each block of times, and [`Solver::run_in_parts`] before each part. For a sweep use
+    /// [`Sweep::progress`] instead.
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + 'a) -> Self {
         self.progress = Some(Box::new(progress));
         self
     }
 
-    /// Stops a run or a sweep soon after the flag `stop` becomes true, and a run in parts before
-    /// its next part. It returns [`Error::Stopped`], which contains the motion computed so far.
+    /// Stops a run or a sweep soon after the flag `stop` becomes true.
+    ///
+    /// A run in parts stops before its next part. A stopped run returns [`Error::Stopped`], which
+    /// contains the motion computed so far.
     pub fn stop_when(mut self, stop: &'a AtomicBool) -> Self {
         self.stop = Some(stop);
         self
@@ -105,7 +110,7 @@ impl<'a> Solver<'a> {
     /// Solves for position, velocity and acceleration at time t, from the guess to the preferred
     /// assembly.
     ///
-    /// Errors: no convergence, singular, not finite.
+    /// Errors: the iteration does not converge; the position is singular; a value is not finite.
     pub fn position(&self, t: f64) -> Result<Solution> {
         let Solver { system, options, .. } = self;
         options.check()?;
@@ -121,7 +126,8 @@ impl<'a> Solver<'a> {
     /// Solves for position, velocity and acceleration at time t from q0 (length n), as
     /// [`System::solve_at`] does.
     ///
-    /// Errors: wrong length, no convergence, singular, not finite.
+    /// Errors: q0 has the wrong length; the iteration does not converge; the position is singular;
+    /// a value is not finite.
     pub fn solve_at(&self, t: f64, q0: &[f64]) -> Result<Solution> {
         let Solver { system, options, .. } = self;
         system.check(q0, "start")?;
@@ -138,10 +144,12 @@ impl<'a> Solver<'a> {
         Ok(newton.solution(t, outcome))
     }
 
-    /// Runs over the times, which must only increase or only decrease.   \[s\]
+    /// Solves for position, velocity and acceleration at each of the times, which must only
+    /// increase or only decrease. \[s\]
     ///
-    /// Errors: no convergence, singular, not finite, stopped; each carries the motion up to it
-    /// ([`Error::motion`]).
+    /// Errors: the iteration does not converge; a position is singular; a value is not finite; the
+    /// flag of [`Solver::stop_when`] stopped the run. Each error carries the motion before the
+    /// failure ([`Error::motion`]).
     pub fn run(&mut self, times: impl AsRef<[f64]>) -> Result<Motion> {
         let times = times.as_ref();
         let Solver { system, options, progress, stop } = self;
@@ -156,9 +164,10 @@ impl<'a> Solver<'a> {
         system.noted(newton::run::run(system, times, options, Some(EXPLAIN), watch))
     }
 
-    /// Runs in parts of `size` times each, for times without end. `keep` receives one part after
-    /// the other; each part is a motion like any other. The run needs the memory of one part only.
-    /// The times may come from any iterator.
+    /// Runs in parts of `size` times each, so that the run needs the memory of one part only.
+    ///
+    /// The times may come from any iterator, also from one without end. Kin passes each part to
+    /// `keep` as a separate motion.
     ///
     /// By default the step-by-step solver computes all times, and all numbers equal those of
     /// [`System::run`] with [`crate::Engine::StepByStep`] to the last digit. With
@@ -183,10 +192,12 @@ impl<'a> Solver<'a> {
     /// # }
     /// ```
     ///
-    /// A `size` of 0 counts as 1. Kin checks limits of joints from the last time of the part before
-    /// on, and counts angles over many turns from the beginning of each part.
+    /// Kin treats a `size` of 0 as 1. Kin also checks the limits of joints between the last time of
+    /// a part and the first time of the next part. Kin counts the revolutions of angles from the
+    /// beginning of each part.
     ///
-    /// Errors: those of a run, which carry the part under way; those of `keep`, which end the run.
+    /// Errors: those of [`Solver::run`], which carry the unfinished part; those of `keep`, which
+    /// end the run.
     pub fn run_in_parts(
         &mut self,
         times: impl IntoIterator<Item = f64>,
@@ -234,7 +245,9 @@ impl<'a> Solver<'a> {
         order.some()
     }
 
-    /// Prepares many cases of the system, with the options of this solver. See [`Sweep`].
+    /// Prepares many cases of the system, with the options of this solver.
+    ///
+    /// The cases differ in the named parameters and initial values ([`Sweep`]).
     ///
     /// Errors: a name that is neither a parameter nor a coordinate.
     pub fn sweep(&self, names: impl IntoIterator<Item = impl AsRef<str>>) -> Result<Sweep<'a>> {
@@ -246,10 +259,13 @@ impl<'a> Solver<'a> {
         })
     }
 
-    /// Diagnoses the mechanism at a time, from the guess or from a pose: counts, rank, dependencies
-    /// between equations and freedoms by name.
+    /// Diagnoses the mechanism at a time: counts, rank, dependencies between equations, and
+    /// freedoms by name.
     ///
-    /// Errors: t not finite, a pose of the wrong length, nothing finite nearby.
+    /// Kin first assembles the mechanism from the guess, or from the given pose.
+    ///
+    /// Errors: t is not finite; the pose has the wrong length; Kin finds no nearby pose at which
+    /// all equations are finite.
     pub fn diagnose<'q>(&self, at: impl Into<At<'q>>) -> Result<Diagnosis> {
         let At { t, q } = at.into();
         let system = self.system;
@@ -267,15 +283,16 @@ impl<'a> Solver<'a> {
 
     /// Searches for all assemblies at time t, as [`System::assemblies`] does.
     ///
-    /// Errors: t not finite, a mechanism that is free to move.
+    /// Errors: t is not finite; the mechanism is free to move.
     pub fn assemblies(&self, t: f64) -> Result<Assemblies> {
         let system = self.system;
         modes::all(system.model(), system.initial(), time(t)?, &self.options.assemblies)
     }
 
-    /// Returns the assembly of a label that [`System::assemblies`] gave out with the same options.
+    /// Returns the assembly with a label that [`Solver::assemblies`] returned with the same
+    /// options.
     ///
-    /// Errors: those of [`System::assemblies`]; no assembly of that name.
+    /// Errors: those of [`System::assemblies`]; no assembly has this label.
     pub fn assembly(&self, t: f64, label: &Label) -> Result<Assembly> {
         let all = self.assemblies(t)?;
         let known = || all.iter().map(|assembly| assembly.label.to_string()).collect();
@@ -294,9 +311,11 @@ fn is_set(stop: Option<&AtomicBool>) -> bool {
 }
 
 impl Sweep<'_> {
-    /// With `true`, the error of a case that fails says what is wrong with the mechanism there
-    /// ([`Error::diagnosis`]), as that of a run does; without this call it does not. To find that
-    /// out takes from a tenth of a second to seconds a case, a thousand times what most cases take.
+    /// Sets whether the error of a failed case contains a diagnosis of the mechanism
+    /// ([`Error::diagnosis`]).
+    ///
+    /// The default is `false`, because a diagnosis takes from a tenth of a second to several
+    /// seconds for each failed case, a thousand times as long as most cases.
     #[must_use]
     pub fn diagnose(mut self, diagnose: bool) -> Self {
         self.explain = diagnose.then_some(EXPLAIN);

@@ -1,4 +1,5 @@
-//! Dimensions in mechanism files: named numbers, and expressions of them in place of numbers.
+//! Reads and writes dimensions in mechanism files: named numbers, and expressions of dimensions in
+//! place of numbers.
 
 mod number;
 mod texts;
@@ -22,24 +23,24 @@ pub(super) use texts::Texts;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct DimensionData {
-    /// The name.
+    /// The name of the dimension.
     pub name: String,
     /// The nominal value, or the expression that has this name.
     pub value: NumberData,
     /// The unit, as text.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub unit: String,
-    /// The permitted range; `None` for no limit.
+    /// The permitted range of the value; `None` for no limit.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub within: Option<[f64; 2]>,
-    /// The tolerance; `None` for none.
+    /// The tolerance of the dimension; `None` for a dimension without tolerance.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tolerance: Option<f64>,
-    /// The distribution; normal if it is `None`.
+    /// The distribution within the tolerance; `None` means the normal distribution.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub distribution: Option<Distribution>,
-    /// The clearance of which this is one of two dimensions; its distribution is a disc. `None` for
-    /// any other dimension.
+    /// The clearance to which the dimension belongs; `None` for a dimension that belongs to no
+    /// clearance. A clearance has two dimensions with a disc as their common distribution.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub clearance: Option<String>,
 }
@@ -202,9 +203,9 @@ impl Mechanism {
     /// Evaluates an expression of this mechanism's dimensions, such as `crank / 2` or `hypot(dx,
     /// dy)`, in the syntax of mechanism files.
     ///
-    /// Names that are no words are in backticks.
+    /// Write a name that is not a single word in backticks.
     ///
-    /// Errors: a text that is no expression, a name that no dimension has, a result that is
+    /// Errors: the text is not an expression; no dimension has a name of the text; the result is
     /// infinite or NaN.
     pub fn expression(&self, text: &str) -> Result<Dimension> {
         let place = "dimensions".to_string();

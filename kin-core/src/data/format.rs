@@ -1,4 +1,4 @@
-//! The format of mechanism files.
+//! Defines the format of mechanism files.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -15,12 +15,12 @@ use crate::model::units::Units;
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct MechanismData {
-    /// The version of this format.
+    /// The version of the file format.
     #[serde(default = "is_first")]
     pub format: u32,
     /// The name of the mechanism.
     pub name: String,
-    /// The names of its units.
+    /// The names of the units of the mechanism.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
     /// The equations of user-defined constraints, as text in the language of `#[constraint]`.
@@ -39,7 +39,7 @@ pub struct MechanismData {
     /// The measures whose values select an assembly.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preferred: Vec<PreferredData>,
-    /// The masses of bodies, by name.
+    /// The masses of bodies, by the name of the body.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub masses: Vec<MassData>,
     /// The points with mass in order.
@@ -51,7 +51,7 @@ pub struct MechanismData {
     /// The loads in order.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub loads: Vec<LoadData>,
-    /// The dry friction in joints, by name.
+    /// The dry friction in joints, by the name of the joint.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub frictions: Vec<FrictionData>,
 }
@@ -66,13 +66,14 @@ pub struct ForcesData {
     pub format: u32,
     /// The name of the mechanism.
     pub mechanism: String,
-    /// The names of the units of which those of the columns consist.
+    /// The names of the units of length, time and mass, from which Kin derives the units of the
+    /// columns.
     pub units: Units,
     /// The times.
     pub times: Vec<f64>,
-    /// The efforts and powers of drivers, components of reactions, energies.
+    /// The columns: efforts and powers of drivers, components of reactions, energies.
     pub columns: Vec<ColumnData>,
-    /// The largest difference of the balance of powers, as a share of the largest power.
+    /// The largest error of the balance of powers, as a share of the largest power.
     pub left_over: f64,
 }
 
@@ -107,9 +108,9 @@ pub struct PreferredData {
 pub struct LimitData {
     /// The measure or coordinate, such as `slot.slide`.
     pub measure: String,
-    /// The lower end, in the unit of the measure; `None` for no limit.
+    /// The lower end of the range, in the unit of the measure; `None` for no limit.
     pub from: Option<f64>,
-    /// The upper end; `None` for no limit.
+    /// The upper end of the range, in the unit of the measure; `None` for no limit.
     pub to: Option<f64>,
 }
 
@@ -122,19 +123,21 @@ pub struct BodyData {
     pub name: String,
     /// The kind of the body.
     pub kind: BodyKind,
-    /// The guess of its coordinates.
+    /// The guess of the coordinates of the body.
     pub guess: Vec<NumberData>,
-    /// The preferred values of its coordinates; `None` for a coordinate without preference.
+    /// The preferred values of the coordinates of the body; `None` for a coordinate without
+    /// preference.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub preferred: Vec<Option<NumberData>>,
-    /// The length between the pins of a link; `None` for other bodies.
+    /// The length between the pins of a link; `None` for a body that is not a link.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub length: Option<NumberData>,
-    /// The points between which a spatial body is drawn. Kin then computes the guess from them.
+    /// The points between which a spatial body is drawn. If the points are given, Kin computes the
+    /// guess from them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub between: Option<[[NumberData; 3]; 2]>,
-    /// The place of a spatial body and the components of one or two directions that it faces. Kin
-    /// then computes the guess from them.
+    /// The position of a spatial body and the components of one or two directions that the body
+    /// faces. If the field is given, Kin computes the guess from it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub facing: Option<Vec<NumberData>>,
 }
@@ -161,15 +164,15 @@ pub enum BodyKind {
 pub struct ConstraintData {
     /// The name.
     pub name: String,
-    /// The name of the function.
+    /// The name of the function that defines the constraint.
     pub kind: String,
     /// The bodies and coordinates, in the order of the signature.
     pub arguments: Vec<ArgumentData>,
     /// The parameters by name.
     #[serde(default, deserialize_with = "once::object")]
     pub parameters: Map<String, Value>,
-    /// Names in the text of the equation whose definitions the file cannot contain. If there are
-    /// any, only the program that has the constraint can read the file.
+    /// Names in the text of the equation whose definitions the file cannot contain. If the list is
+    /// not empty, only a program that defines the constraint can read the file.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub lacking: Vec<String>,
 }

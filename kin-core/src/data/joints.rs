@@ -1,4 +1,4 @@
-//! Registers every constraint of the library.
+//! Registers every constraint of the library in a registry.
 
 use super::Registry;
 use crate::forces::library;

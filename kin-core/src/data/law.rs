@@ -1,4 +1,4 @@
-//! Laws as data: a kind, numbers, and the laws that a law contains.
+//! Reads and writes laws as data: a kind, numbers, and the laws that a law contains.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -13,14 +13,15 @@ use crate::model::law::{Ends, Law};
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
 pub struct LawData {
-    /// The kind, such as `ramp`. A [`Registry`] looks it up first.
+    /// The kind of the law, such as `ramp`. A [`Registry`] first searches for a constructor of this
+    /// kind.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub kind: String,
-    /// The function as text, `fn lift(x: f64, h: f64) -> f64 { … }`. A reader uses it if it does
-    /// not know the kind.
+    /// The function as text, `fn lift(x: f64, h: f64) -> f64 { … }`. A program that does not know
+    /// the kind of the law uses this text.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub text: Option<String>,
-    /// The numbers by name.
+    /// The numbers of the law, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty", deserialize_with = "once::map")]
     pub numbers: BTreeMap<String, f64>,
     /// The laws that the law contains, by name.
@@ -59,7 +60,7 @@ impl LawData {
     }
 }
 
-/// The data of a law, as its constructor reads them.
+/// The data of a law, from which a constructor reads numbers and parts.
 pub struct LawReader<'a> {
     data: &'a LawData,
     registry: &'a Registry,
@@ -90,7 +91,9 @@ impl<'a> LawReader<'a> {
         Err(format!("the law `{}` has no {what} `{name}`; it has {has}", self.data.name()))
     }
 
-    /// Returns the number with this name. Errors: there is none.
+    /// Returns the number with this name.
+    ///
+    /// Errors: no number has the name.
     pub fn number(&self, name: &str) -> Result<f64, String> {
         self.ask(name);
         self.data
@@ -100,7 +103,7 @@ impl<'a> LawReader<'a> {
             .ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.name()))
     }
 
-    /// Returns the function as text, or an empty text.
+    /// Returns the function as text, or an empty text if the data contain no text.
     pub fn text(&self) -> &str {
         self.data.text.as_deref().unwrap_or_default()
     }
@@ -111,7 +114,7 @@ impl<'a> LawReader<'a> {
         all.inspect(|name| self.ask(name))
     }
 
-    /// Returns the numbers `name[first]`, `name[first + 1]`, … up to the first missing one.
+    /// Returns the numbers `name[first]`, `name[first + 1]`, … up to the first missing number.
     pub fn list(&self, name: &str, first: usize) -> Vec<f64> {
         let number = |k: usize| {
             let name = format!("{name}[{k}]");
@@ -136,7 +139,9 @@ impl<'a> LawReader<'a> {
         ))
     }
 
-    /// Returns the contained law with this name. Errors: there is none, or its kind is unknown.
+    /// Returns the contained law with this name.
+    ///
+    /// Errors: no law has the name; the kind of the law is unknown.
     pub fn part(&self, name: &str) -> Result<Law, String> {
         self.ask(name);
         let part = self

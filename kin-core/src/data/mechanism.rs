@@ -1,4 +1,4 @@
-//! A mechanism as data.
+//! Writes a mechanism as data, and creates a mechanism from data.
 
 use std::path::Path;
 
@@ -22,17 +22,20 @@ use crate::model::mechanism::{ConstraintId, Limit, Mechanism, SpatialPose};
 use crate::model::units::Units;
 
 impl Mechanism {
-    /// Writes the mechanism as a self-contained JSON file and creates missing folders. Any program
-    /// that reads equations as text can load it.
+    /// Writes the mechanism as a self-contained JSON file and creates missing folders.
     ///
-    /// Errors: a constraint that cannot be described, or whose equation needs something that the
-    /// file cannot contain, by name; a file that cannot be written.
+    /// Any program that reads equations as text can load the file.
+    ///
+    /// Errors: Kin cannot describe a constraint; the equation of a constraint uses a definition
+    /// that the file cannot contain; Kin cannot write the file. The error names the constraint or
+    /// the file.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         self.write_json_for(path, &Registry::new())
     }
 
-    /// Writes the mechanism for programs with this registry. The constraints that the registry
-    /// knows need no text.
+    /// Writes the mechanism as a JSON file for programs with this registry.
+    ///
+    /// The file does not contain the text of the constraints that the registry knows.
     pub fn write_json_for(&self, path: impl AsRef<Path>, registry: &Registry) -> Result<()> {
         let data = self.data()?;
         data.is_readable(registry)?;
@@ -41,8 +44,8 @@ impl Mechanism {
 
     /// Returns the mechanism as data for serde.
     ///
-    /// Errors: a constraint that was not made by `#[constraint]`, or with a parameter of a type
-    /// that serde does not know, by name.
+    /// Errors: a constraint is hand-written; a parameter of a constraint has a type that serde does
+    /// not support. The error names the constraint.
     pub fn data(&self) -> Result<MechanismData> {
         let texts = Texts::of(self)?;
         let bodies = self.body_data(&texts);
@@ -178,10 +181,12 @@ impl Mechanism {
         })
     }
 
-    /// Creates a mechanism from data. The registry creates its constraints and laws.
+    /// Creates a mechanism from data.
     ///
-    /// Errors: an unknown kind; a body, parameter or number that is missing or superfluous; every
-    /// error of [`Mechanism::add`].
+    /// The registry creates the constraints and laws of the mechanism.
+    ///
+    /// Errors: a kind is unknown; a body, parameter or number is missing or superfluous; those of
+    /// [`Mechanism::add`].
     pub fn from_data(data: &MechanismData, registry: &Registry) -> Result<Mechanism> {
         let fail = |reason| Error::Data { place: format!("mechanism `{}`", data.name), reason };
         understood(data.format, FORMAT).map_err(fail)?;
@@ -215,10 +220,12 @@ impl Mechanism {
         Ok(mechanism)
     }
 
-    /// Adds a constraint from data to bodies of this mechanism. The registry creates it.
+    /// Adds a constraint from data to bodies of this mechanism.
     ///
-    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, and those
-    /// of [`Mechanism::add`].
+    /// The registry creates the constraint.
+    ///
+    /// Errors: the kind is unknown; a body or parameter is missing or of another kind; those of
+    /// [`Mechanism::add`].
     pub fn add_data(&mut self, data: &ConstraintData, registry: &Registry) -> Result<ConstraintId> {
         let ConstraintData { name, kind, arguments, parameters, lacking } = data;
         let made = registry.constraint(kind, arguments, parameters, self);
@@ -230,10 +237,11 @@ impl Mechanism {
     }
 
     /// Creates a law from the data of a file: `{"kind": "ramp", "numbers": {"rate": "2 * w"}}`.
-    /// Numbers can be expressions of this mechanism's dimensions.
     ///
-    /// Errors: data that describe no law, an unknown kind, missing numbers, an expression that
-    /// cannot be read.
+    /// A number can be an expression of this mechanism's dimensions.
+    ///
+    /// Errors: the data do not describe a law; the kind is unknown; a number is missing; Kin cannot
+    /// read an expression.
     pub fn law(&self, data: &serde_json::Value, registry: &Registry) -> Result<Law> {
         let fail = |reason: String| Error::Data { place: "law".to_string(), reason };
         let (plain, bound) = law_without_expressions(self, data).map_err(fail)?;
@@ -327,8 +335,8 @@ impl Mechanism {
         self.layout.bodies().into_iter().find(|(known, _)| *known == name).map(|(_, target)| target)
     }
 
-    /// Returns the coordinate with this name: a scalar coordinate, or one of a body such as
-    /// `crank.theta`.
+    /// Returns the coordinate with this name: a scalar coordinate, or a coordinate of a body such
+    /// as `crank.theta`.
     pub fn coordinate_named(&self, name: &str) -> Option<Coordinate> {
         let column = self.layout.names.iter().position(|known| known == name)?;
         let item = self.layout.owner(column)?;

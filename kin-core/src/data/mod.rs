@@ -1,7 +1,8 @@
-//! Mechanisms, motions and diagnoses as data, for serde and as JSON files.
+//! Reads and writes mechanisms, motions, forces and diagnoses as data for serde and as JSON files.
 //!
-//! Reading a motion loses nothing. Reading a mechanism needs a [`Registry`] of constructors. Add
-//! user-defined constraints to it: `Registry::new().with::<parabolic_slot>()`.
+//! A motion read from a file equals the written motion to the last digit. To read a mechanism, pass
+//! a [`Registry`] of constructors. Add user-defined constraints to the registry:
+//! `Registry::new().with::<parabolic_slot>()`.
 
 mod dimensions;
 mod dynamics;
@@ -88,8 +89,8 @@ fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> 
 impl MechanismData {
     /// Reads the text of a mechanism file.
     ///
-    /// Errors, with line and column: a text that is no JSON; members that are missing, unknown or
-    /// of another type; data of a newer version.
+    /// Errors, with line and column: the text is not JSON; a member is missing, unknown or of
+    /// another type; the data have a newer version.
     pub fn read(text: &str) -> Result<MechanismData> {
         read_text(text).map_err(|reason| Error::Data { place: "mechanism".to_string(), reason })
     }
@@ -107,7 +108,7 @@ impl MotionData {
 impl Mechanism {
     /// Reads a mechanism from a file.
     ///
-    /// Errors: a file that cannot be read, and those of [`Mechanism::from_data`].
+    /// Errors: Kin cannot read the file; those of [`Mechanism::from_data`].
     pub fn read_json(path: impl AsRef<Path>, registry: &Registry) -> Result<Mechanism> {
         Mechanism::from_data(&read(path.as_ref())?, registry)
     }
@@ -116,14 +117,14 @@ impl Mechanism {
 impl Diagnosis {
     /// Writes the diagnosis as JSON without loss, and creates missing folders.
     ///
-    /// Errors: a file that cannot be written.
+    /// Errors: Kin cannot write the file.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         write(path.as_ref(), self)
     }
 
     /// Reads a diagnosis from a file.
     ///
-    /// Errors: a file that cannot be read.
+    /// Errors: Kin cannot read the file.
     pub fn read_json(path: impl AsRef<Path>) -> Result<Diagnosis> {
         read(path.as_ref())
     }
@@ -132,14 +133,14 @@ impl Diagnosis {
 impl Motion {
     /// Writes the motion as JSON ([`Motion::data`]) without loss, and creates missing folders.
     ///
-    /// Errors: a file that cannot be written.
+    /// Errors: Kin cannot write the file.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         write(path.as_ref(), &self.data())
     }
 
     /// Reads a motion from a file.
     ///
-    /// Errors: a file that cannot be read, and those of [`Motion::from_data`].
+    /// Errors: Kin cannot read the file; those of [`Motion::from_data`].
     pub fn read_json(path: impl AsRef<Path>) -> Result<Motion> {
         Motion::from_data(&read(path.as_ref())?)
     }
@@ -167,7 +168,7 @@ impl Forces<'_> {
 
     /// Writes the forces as JSON ([`Forces::data`]) and creates missing folders.
     ///
-    /// Errors: a file that cannot be written.
+    /// Errors: Kin cannot write the file.
     pub fn write_json(&self, path: impl AsRef<Path>) -> Result<()> {
         write(path.as_ref(), &self.data())
     }

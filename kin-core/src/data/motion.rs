@@ -1,4 +1,4 @@
-//! A motion as data.
+//! Converts a motion to data, and data to a motion.
 
 use std::sync::OnceLock;
 
@@ -21,19 +21,20 @@ use crate::solve::newton::CrossedBreak;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct MotionData {
-    /// The version of this format.
+    /// The version of the data format.
     #[serde(default = "is_first")]
     pub format: u32,
     /// The name of the mechanism.
     pub name: String,
-    /// The names of its units.
+    /// The names of the units of the motion.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
     /// The bodies and scalar coordinates in order, with their kinds.
     pub bodies: Vec<(String, BodyKind)>,
     /// The names of the equations.
     pub equations: Vec<String>,
-    /// The index of the equation with the largest residual of all times; `None` without times.
+    /// The index of the equation with the largest residual of all times; `None` for a motion
+    /// without times.
     pub worst: Option<usize>,
     /// The times.   \[s\]
     pub times: Vec<f64>,
@@ -46,9 +47,9 @@ pub struct MotionData {
     /// q⃛ at each time; empty if the run did not compute the jerk. \[m/s³, rad/s³\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub qddd: Vec<Vec<f64>>,
-    /// Newton steps at each time.
+    /// The number of Newton steps at each time.
     pub iterations: Vec<usize>,
-    /// max |C_i| at each time.
+    /// The largest residual max |C_i| at each time.
     pub residuals: Vec<f64>,
     /// The breaks of laws that the run has crossed.
     #[serde(default)]
@@ -59,22 +60,23 @@ pub struct MotionData {
     /// The singular positions of the run.
     #[serde(default)]
     pub singular_positions: Vec<SingularPosition>,
-    /// The guess from which the run found the first position. \[m, rad\]
+    /// The warnings of the motion.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub warnings: Vec<Warning>,
-    /// The guess that the first position was found from; empty if the motion does not begin a
-    /// run.   \[m, rad\]
+    /// The guess from which the run found the first position; empty if the motion does not begin a
+    /// run. \[m, rad\]
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub guess: Vec<f64>,
-    /// The contradiction of redundant equations as a share of their norms; 0 unless it is
-    /// allowed.   \[-\]
+    /// The contradiction of redundant equations as a share of their norms; 0 unless the options of
+    /// the run allow a contradiction. \[-\]
     #[serde(default)]
     pub misfit: f64,
-    /// How many times a program has computed, and how often it returned to the step-by-step solver.
+    /// The number of times that a compiled program has computed, and the number of returns to the
+    /// step-by-step solver.
     #[serde(default, skip_serializing_if = "is_plain")]
     pub engine: EngineCounts,
-    /// Why the step-by-step solver computed everything although a program would have been faster;
-    /// otherwise `None`.
+    /// The reason why the step-by-step solver computed everything although a compiled program would
+    /// have been faster; otherwise `None`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why_not_compiled: Option<String>,
     /// The derived quantities.
@@ -85,7 +87,7 @@ pub struct MotionData {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct BreakData {
-    /// The last time before the break, and the first time after it or at it. \[s\]
+    /// The last time before the break, and the first time at or after the break. \[s\]
     pub between: (f64, f64),
     /// The constraint that contains the law.
     pub constraint: String,
@@ -93,11 +95,11 @@ pub struct BreakData {
     pub law: String,
     /// The argument of the law at the break.
     pub x: f64,
-    /// The derivative that jumps.
+    /// The order of the lowest derivative that jumps.
     pub order: usize,
 }
 
-/// A derived quantity.
+/// A derived quantity of a motion.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct OutputData {
@@ -154,8 +156,7 @@ impl Motion {
     /// Creates a motion from data. [`Motion::named`], [`Motion::planar_named`] and
     /// [`Motion::spatial_named`] find its coordinates and bodies by name.
     ///
-    /// Errors: names that are empty or taken, lists of different lengths, numbers that are not
-    /// finite.
+    /// Errors: a name is empty or taken; lists have different lengths; a number is not finite.
     pub fn from_data(data: &MotionData) -> Result<Motion> {
         let fail =
             |reason: String| Error::Data { place: format!("motion of `{}`", data.name), reason };

@@ -1,4 +1,5 @@
-//! Checks the names in files, because programs write them to terminals, tables, pictures and pages.
+//! Checks the names in files, because programs write these names to terminals, tables, pictures and
+//! pages.
 
 use crate::model::error::{Error, Result};
 

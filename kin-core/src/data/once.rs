@@ -1,8 +1,8 @@
 //! Reads objects in which each key may occur only once.
 //!
-//! The maps of serde and `serde_json` keep the last value of a repeated key. In a file the other
-//! value would be lost without a message, so the maps of Kin's formats are read here. Structs need
-//! nothing, because serde refuses a repeated field.
+//! The maps of serde and `serde_json` keep only the last value of a repeated key. Such a map would
+//! lose the other value of a file without a message, so this module reads the maps of Kin's
+//! formats. Structs need no such reader, because serde refuses a repeated field.
 
 use std::collections::BTreeSet;
 use std::fmt;

@@ -16,14 +16,18 @@ use crate::model::dual_route::ArgumentKind;
 use crate::model::law::Law;
 use crate::model::mechanism::Mechanism;
 
-/// A constraint that can be created from data. `#[constraint]` implements it.
+/// A constraint that can be created from data.
+///
+/// `#[constraint]` implements this trait.
 pub trait Described: Constraint + Sized + 'static {
     /// The name of the function.
     const KIND: &'static str;
     /// The kinds of the arguments, in order.
     const ARGUMENTS: &'static [ArgumentKind];
-    /// Creates the constraint from bodies and parameters. The reader records each mistake and
-    /// returns a substitute value. Returns `None` if there is no substitute.
+    /// Creates the constraint from bodies and parameters, or returns `None`.
+    ///
+    /// The reader records each mistake and returns a substitute value. The method returns `None` if
+    /// a parameter has no substitute value.
     fn read(from: &mut Reader<'_>) -> Option<Self>;
 }
 
@@ -46,10 +50,10 @@ enum Origin {
 
 /// Constructors of constraints and laws by their kinds.
 ///
-/// Constraints with the same name but other arguments (`revolute` of planar and of spatial bodies)
-/// are different. Of two user-defined constraints with the same name and arguments the later one
-/// counts. An equation in a file precedes both. In files the names of the library always mean the
-/// library.
+/// The registry distinguishes constraints with the same name but different arguments, such as
+/// `revolute` of planar and of spatial bodies. If two user-defined constraints have the same name
+/// and arguments, the registry uses the later constraint. An equation in a file takes precedence
+/// over user-defined constraints. A name of the library always means the constraint of the library.
 #[derive(Clone)]
 pub struct Registry {
     constraints: HashMap<Key, (Make, Origin)>,
@@ -89,7 +93,8 @@ impl Registry {
         self.with_constraint(C::KIND, C::ARGUMENTS, make)
     }
 
-    /// Adds a constraint that is made at run time, by its kind, its arguments and its constructor.
+    /// Adds a constraint that a program creates at run time, by its kind, its arguments and its
+    /// constructor.
     pub fn with_constraint(
         mut self,
         kind: &str,
@@ -104,8 +109,8 @@ impl Registry {
     /// Adds a constraint whose equation a file contains as this text, for
     /// [`Registry::reading_equations`].
     ///
-    /// Errors: the library has a constraint with this name and these arguments, or another text of
-    /// the file has. The name would then have another meaning in this file than elsewhere.
+    /// Errors: the library, or another text of the file, has a constraint with this name and these
+    /// arguments. Such a name would have different meanings in different files.
     pub fn with_equation(
         mut self,
         (kind, arguments): (&str, &[ArgumentKind]),
@@ -126,8 +131,10 @@ impl Registry {
         }
     }
 
-    /// Enables the registry to read the equations in mechanism files: `read` adds the constraint of
-    /// a text. `kin::text::registry()` returns a registry with Kin's reader.
+    /// Enables the registry to read the equations in mechanism files: the function `read` adds the
+    /// constraint of a text.
+    ///
+    /// `kin::text::registry()` returns a registry with Kin's reader.
     pub fn reading_equations(
         mut self,
         read: fn(Registry, &str) -> Result<Registry, String>,
@@ -136,15 +143,19 @@ impl Registry {
         self
     }
 
-    /// Enables the registry to create laws from the texts in mechanism files. `read` receives the
-    /// text, the numbers and the parts.
+    /// Enables the registry to create laws from the texts in mechanism files.
+    ///
+    /// The function `read` receives the text, the numbers and the parts of a law.
     pub fn reading_laws(mut self, read: fn(&LawReader<'_>) -> Result<Law, String>) -> Registry {
         self.law_texts = Some(read);
         self
     }
 
-    /// Returns a registry with the constraints of these texts. Without a reader the program must
-    /// know these constraints. Errors: the mistakes of a text.
+    /// Returns a registry that also contains the constraints of these texts.
+    ///
+    /// If the registry has no reader, the program must define these constraints.
+    ///
+    /// Errors: a text contains a mistake.
     pub fn with_equations(&self, texts: &[String]) -> Result<Registry, String> {
         match self.equations {
             Some(read) => {
@@ -183,10 +194,10 @@ impl Registry {
         all
     }
 
-    /// Creates a law from data: by its kind if that is known, otherwise by its text.
+    /// Creates a law from data: by its kind if the registry knows the kind, otherwise by its text.
     ///
-    /// Errors: an unknown kind; numbers or parts that are missing or superfluous; mistakes in the
-    /// text.
+    /// Errors: the kind is unknown; a number or part is missing or superfluous; the text contains a
+    /// mistake.
     pub fn law(&self, data: &LawData) -> Result<Law, String> {
         let law = LawReader::new(data, self);
         let whole = |made| law.all_are_asked().map(|()| made);
@@ -284,7 +295,7 @@ fn names_of_the_library(kind: &str) -> String {
     format!("the library has a `{kind}` with the same arguments. Give the equation another name")
 }
 
-/// The data of one constraint, as its constructor reads them.
+/// The data of one constraint, from which a constructor reads bodies and parameters.
 pub struct Reader<'a> {
     arguments: std::slice::Iter<'a, ArgumentData>,
     parameters: &'a Map<String, Value>,
@@ -298,7 +309,8 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Returns the next argument, a planar body, or the ground if there is none.
+    /// Returns the next argument, a planar body, or the ground if the data contain no such
+    /// argument.
     pub fn planar(&mut self) -> PlanarBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Planar(None)) => Ok(Ground.into()),
@@ -310,7 +322,8 @@ impl<'a> Reader<'a> {
         self.noted(found).unwrap_or(Ground.into())
     }
 
-    /// Returns the next argument, a spatial body, or the ground if there is none.
+    /// Returns the next argument, a spatial body, or the ground if the data contain no such
+    /// argument.
     pub fn spatial(&mut self) -> SpatialBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Spatial(None)) => Ok(Ground.into()),
@@ -323,7 +336,8 @@ impl<'a> Reader<'a> {
         self.noted(found).unwrap_or(Ground.into())
     }
 
-    /// Returns the next argument, a scalar coordinate, or one of the ground if there is none.
+    /// Returns the next argument, a scalar coordinate, or a coordinate of the ground if the data
+    /// contain no such argument.
     pub fn coord(&mut self) -> Coordinate {
         let found = match self.arguments.next() {
             Some(ArgumentData::Coord(name)) => self
@@ -339,14 +353,16 @@ impl<'a> Reader<'a> {
         self.noted(found).unwrap_or(Coordinate::Planar(Ground.into(), 0))
     }
 
-    /// Returns the parameter with this name, or NaN if there is none.
+    /// Returns the parameter with this name, or NaN if the data contain no such parameter.
     pub fn get<T: Datum>(&mut self, name: &str) -> T {
         let registry = self.registry;
         self.numbers(name, &mut |value| T::from_value(value, registry)).unwrap_or_else(T::absent)
     }
 
-    /// Returns a parameter made of numbers, some of which may be expressions of dimensions in the
-    /// file. `read` receives their values. See [`Reader::value`].
+    /// Returns a parameter that consists of numbers, some of which may be expressions of dimensions
+    /// in the file.
+    ///
+    /// The function `read` receives the values of the numbers, as in [`Reader::value`].
     pub fn numbers<T>(
         &mut self,
         name: &str,

@@ -7,8 +7,8 @@ use super::{FORMAT, Registry};
 /// Returns the JSON Schema (draft 2020-12) of mechanism files, which
 /// [`crate::Mechanism::write_json`] or a user writes.
 ///
-/// The schema suggests kinds of constraints and laws, but does not require them, because files and
-/// programs define other kinds.
+/// The schema suggests the known kinds of constraints and laws. The schema also permits other
+/// kinds, because files and programs can define kinds.
 ///
 /// ```
 /// let schema = kin::data::schema(&kin::data::Registry::new());

@@ -1,4 +1,4 @@
-//! Parameters as JSON values.
+//! Reads and writes parameters as JSON values.
 
 use std::marker::PhantomData;
 
@@ -12,13 +12,15 @@ use crate::model::describer::Describer;
 use crate::model::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
-/// A parameter made of numbers, or a law.
+/// A parameter that consists of numbers, or a law.
 pub trait Datum: Sized {
     /// Returns the value as JSON.
     fn to_value(&self) -> Result<Value, String>;
-    /// Reads the value from JSON; the registry knows laws. Errors: the mistake in words.
+    /// Reads the value from JSON; the registry creates laws.
+    ///
+    /// Errors: a sentence that describes the mistake.
     fn from_value(value: &Value, registry: &Registry) -> Result<Self, String>;
-    /// Returns the substitute for a value that could not be read: NaN.
+    /// Returns NaN, the substitute for a value that Kin could not read.
     fn absent() -> Self;
 }
 
@@ -167,7 +169,7 @@ impl Describer {
     }
 }
 
-/// A parameter of any type of the user, to be written with serde if its type supports it.
+/// A parameter of any user-defined type, to be written with serde if the type supports serde.
 pub struct Outgoing<'a, T>(pub &'a T);
 
 /// Writes a type with serde.
@@ -178,7 +180,7 @@ pub trait OutgoingBySerde {
 
 /// Handles a type without serde.
 pub trait OutgoingRefused {
-    /// Refuses the parameter.
+    /// Records that the parameter cannot be written or read.
     fn put(&self, name: &str, to: &mut Describer);
 }
 
@@ -194,23 +196,25 @@ impl<T> OutgoingRefused for &Outgoing<'_, T> {
     }
 }
 
-/// A constant of an equation, to be written in the equation's text.
+/// A constant that an equation uses, to be written in the text of the equation.
 pub trait OutgoingConstant {
     /// Records the constant under its name.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-/// A constant of a type without text.
+/// A constant of a type that has no text.
 pub trait RefusedConstant {
-    /// Records that the constant is missing.
+    /// Records that the file cannot contain the constant.
     fn constant(&self, name: &str, to: &mut Describer);
 }
 
-/// A value that can be written as Rust: a number, a vector, a table of them.
+/// A value that can be written as Rust code: a number, a vector, or a table of numbers or vectors.
 pub trait Literal {
-    /// Returns its type as Rust.
+    /// Returns the type of the value as Rust code.
     fn type_text() -> String;
-    /// Returns the value as Rust. The error is the number that is not finite.
+    /// Returns the value as Rust code.
+    ///
+    /// Errors: a number that is not finite; the error is this number.
     fn text(&self) -> Result<String, f64>;
 }
 
@@ -292,7 +296,7 @@ impl<T> RefusedConstant for &Outgoing<'_, T> {
     }
 }
 
-/// A parameter of any type of the user, to be read.
+/// A parameter of any user-defined type, to be read from data.
 pub struct Incoming<T>(PhantomData<T>);
 
 impl<T> Incoming<T> {
@@ -311,7 +315,7 @@ pub trait IncomingBySerde<T> {
 
 /// Handles a type without serde.
 pub trait IncomingRefused<T> {
-    /// Refuses the parameter.
+    /// Records that the parameter cannot be written or read.
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T>;
 }
 

@@ -1,4 +1,5 @@
-//! The gradient of one number by all parameters at once, through the transposed factors of C_q.
+//! Computes the gradient of one number by all parameters at once, through the transposed factors of
+//! C_q.
 
 use super::agreement::{self, Agreement};
 use super::along::{Along, Prepared};
@@ -19,17 +20,17 @@ impl System {
     /// Returns the derivatives of one number F by parameters, where F is a function of a measure y,
     /// ẏ and ÿ over a motion.
     ///
-    /// `weights` returns ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time, by the index of the time. One
-    /// backward solve serves all parameters. With J = C_q:
+    /// The function `weights` receives the index of a time and returns ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at
+    /// this time. Kin needs one backward solve for all parameters together. With J = C_q:
     ///
     /// ```text
     /// Jᵀ λ₂ = F_q̈      Jᵀ λ₁ = F_q̇ − 2 J̇ᵀ λ₂      Jᵀ λ₀ = F_q − J̇ᵀ λ₁ − J̈ᵀ λ₂
     /// F_p = −Σ (λ₀ · C_p + λ₁ · Ċ_p + λ₂ · C̈_p)
     /// ```
     ///
-    /// A direct dependence of the measure on p is not included. For a redundant mechanism C_q
-    /// consists of as many independent rows as there are coordinates. Kin checks for all parameters
-    /// at once that the other equations agree.
+    /// The gradient omits a direct dependence of the measure on p. For a redundant mechanism Kin
+    /// uses as many independent rows of C_q as the mechanism has coordinates. Kin checks for all
+    /// parameters at once that the other equations agree.
     ///
     /// Errors: those of [`System::sensitivities`] and [`crate::design::Sensitivities::of`].
     pub fn gradient(

@@ -1,9 +1,9 @@
 //! Checks, for all parameters at once, that the redundant equations of a mechanism still agree with
-//! the others when a parameter changes.
+//! the other equations when a parameter changes.
 //!
 //! Let ν(t) satisfy νᵀ C_q = 0 at all times. Then g = νᵀ C_p and its time derivatives vanish if and
-//! only if C_q q_p = −C_p and its derivatives have solutions. One ν serves all parameters: it
-//! contains each redundant row times a random number, so that contradictions do not cancel. With ν
+//! only if C_q q_p = −C_p and its derivatives have solutions. One vector ν checks all parameters: ν
+//! combines the redundant rows with random factors, so that contradictions do not cancel. With ν
 //! instead of λ₂ the equations of the adjoint give λ₁ = 2 ν̇ and λ₀ = ν̈
 //! ([`super::adjoint::adjoint`]).
 

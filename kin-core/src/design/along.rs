@@ -1,4 +1,4 @@
-//! C_q and C_p along a motion: values with first and second time derivatives.
+//! Evaluates C_q and C_p along a motion, with first and second time derivatives.
 
 use std::collections::HashMap;
 use std::rc::Rc;

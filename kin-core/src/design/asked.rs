@@ -1,4 +1,4 @@
-//! Finds where the equations read the parameters of derivatives.
+//! Finds the equations that read the parameters by which Kin differentiates.
 
 use std::rc::Rc;
 

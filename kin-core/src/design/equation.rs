@@ -1,5 +1,5 @@
-//! One equation and its derivatives by its coordinates, its parameters and the values of its laws,
-//! as a graph.
+//! Builds a graph of one equation and its derivatives by its coordinates, its parameters and the
+//! values of its laws.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};

@@ -1,4 +1,4 @@
-//! Features of a measure over a motion, and their values for other dimensions.
+//! Computes features of a measure over a motion, for given dimensions.
 
 use std::f64::consts::TAU;
 
@@ -12,16 +12,16 @@ use crate::system::System;
 /// The number of steps of time in which an extreme is followed.
 const STEPS: usize = 40;
 
-/// A number that a measure has over a motion: its value at a time, an extreme, its stroke.
+/// A number of a measure over a motion: its value at a time, an extreme, or its stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Feature {
     /// The value at this time. \[s\]
     At(f64),
-    /// The value of an extreme, at any time to which it moves.
+    /// The value of an extreme. If dimensions change, the time of the extreme may change too.
     Extreme(Extreme),
-    /// The largest minus the smallest value, at any times to which they move: a stroke, a swing, a
-    /// lift.
+    /// The largest minus the smallest value of the measure: a stroke, a swing, a lift. If
+    /// dimensions change, the times of both extremes may change too.
     Stroke([Extreme; 2]),
 }
 
@@ -51,7 +51,7 @@ impl From<&Extremes> for Feature {
 }
 
 impl Feature {
-    /// Returns the time; for a stroke that of the largest value. \[s\]
+    /// Returns the time of the feature; for a stroke, the time of the largest value. \[s\]
     pub fn t(&self) -> f64 {
         match self {
             Feature::At(t) => *t,

@@ -1,4 +1,4 @@
-//! Derivatives of measures and of their extremes by parameters.
+//! Differentiates measures and their extremes by parameters.
 
 use super::partials::{Partial, partials};
 use super::sensitivities::{Sensitivities, Sensitivity};
@@ -9,11 +9,11 @@ use crate::model::no_derivative::NoDerivative;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
-/// The derivatives of a measure by one parameter, with one value for each time.
+/// The derivatives of a measure y by one parameter p, with one value for each time.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct MeasureSensitivity {
-    /// The parameter.
+    /// The name of the parameter.
     pub name: String,
     /// ∂y/∂p at each time. \[unit of y per unit of p\]
     pub value: Vec<f64>,
@@ -23,15 +23,15 @@ pub struct MeasureSensitivity {
     pub second_rate: Vec<f64>,
 }
 
-/// The derivatives of an extreme value of a measure with respect to one parameter.
+/// The derivatives of the time and the value of an extreme of a measure y by one parameter p.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct ExtremeSensitivity {
-    /// The parameter.
+    /// The name of the parameter.
     pub name: String,
-    /// The derivative of its time. \[s per unit of p\]
+    /// The derivative of the time of the extreme. \[s per unit of p\]
     pub t: f64,
-    /// The derivative of its value. \[unit of y per unit of p\]
+    /// The derivative of the value of the extreme. \[unit of y per unit of p\]
     pub value: f64,
 }
 
@@ -42,23 +42,23 @@ impl Sensitivities<'_> {
     /// The argument `what` is a name, a coordinate or a function of a motion ([`Measure`]), such as
     /// a coordinate of a point.
     ///
-    /// A direct dependence of the measure on a parameter, which does not come through
-    /// the motion, is not included.
+    /// The derivatives omit a direct dependence of the measure on a parameter: Kin differentiates
+    /// only through the motion.
     ///
-    /// Errors: those of [`crate::System::measure`]; by name a measure of the joint that has the
-    /// parameter.
+    /// Errors: those of [`crate::System::measure`]; the measure belongs to a joint that has one of
+    /// the parameters (the error names the parameter).
     pub fn of(&self, what: impl Measure) -> Result<Vec<MeasureSensitivity>> {
         self.each(&what)
     }
 
     /// Returns the derivatives of time and value of an extreme of a measure by each parameter.
     ///
-    /// At the extreme the velocity vanishes, so dt/dp = −ẏ_p/ÿ, and the value changes by y_p. If
-    /// the largest or smallest value is at an end of the run and is no extreme, its time is fixed.
+    /// At an extreme ẏ = 0, so dt/dp = −ẏ_p/ÿ, and the derivative of the value is y_p. If the
+    /// largest or smallest value is at an end of the run, its time is fixed.
     ///
     /// Errors: those of [`Sensitivities::of`], [`crate::System::extremes`] and
-    /// [`crate::System::at`]; by name an extreme that the measure does not have on this motion; an
-    /// extreme at which the acceleration vanishes too.
+    /// [`crate::System::at`]; the measure does not have this extreme on the motion; ÿ is zero at
+    /// the extreme.
     pub fn extreme(
         &self,
         what: impl Measure,

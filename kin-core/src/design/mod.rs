@@ -1,19 +1,19 @@
-//! Exact derivatives of a motion by parameters, without finite differences.
+//! Computes exact derivatives of a motion by parameters, without finite differences.
 //!
-//! Let J = C_q and P = C_p along the motion, both functions of time. Then C(q(t, p), t, p) = 0
-//! gives
+//! Let J = C_q and P = C_p along the motion, both functions of time. Differentiation of C(q(t, p),
+//! t, p) = 0 gives
 //!
 //! ```text
 //! J q_p = −P        J q̇_p = −Ṗ − J̇ q_p        J q̈_p = −P̈ − 2 J̇ q̇_p − J̈ q_p
 //! ```
 //!
 //! * `equation.rs` and `along.rs` evaluate the derivatives of each equation with second-order
-//!   numbers along time. This gives J, J̇, J̈ and P, Ṗ, P̈ for all parameters.
+//!   numbers along time. The results are J, J̇, J̈ and P, Ṗ, P̈ for all parameters.
 //! * `sensitivities.rs` and `solver.rs` solve forward for every parameter with the factors of J.
-//! * `adjoint.rs` solves with the transposed factors for every parameter at once. Optimisers need
-//!   this (`objective.rs`).
+//! * `adjoint.rs` solves with the transposed factors for every parameter at once. Optimisers use
+//!   the adjoint solution (`objective.rs`).
 //! * `agreement.rs` checks the redundant equations of a mechanism.
-//! * `variation/` makes one tape of all this for motions of many times.
+//! * `variation/` records all derivatives as one tape, for motions of many times.
 //! * `partials.rs` and `measured.rs` differentiate measures.
 //! * `toggle.rs` differentiates the time of a toggle.
 //! * `tolerance/` computes from tolerances of dimensions how far a measure, an extreme or a stroke

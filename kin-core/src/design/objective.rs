@@ -1,4 +1,4 @@
-//! A number of a motion as a function of dimensions, with its gradient, for optimisers.
+//! Computes a number of a motion as a function of dimensions, with its gradient, for optimisers.
 
 use crate::ask::measure::Measure;
 use crate::model::error::{Error, Result};
@@ -6,8 +6,10 @@ use crate::solve::motion::Quantity;
 use crate::solve::newton::run;
 use crate::system::System;
 
-/// A function p → (value, gradient) of dimensions and parameters ([`System::objective`]). It sets
-/// them, runs the motion, and computes one number from a measure.
+/// A function p → (value, gradient) of dimensions and parameters ([`System::objective`]).
+///
+/// The function sets the dimensions and parameters, runs the motion, and computes one number from a
+/// measure.
 pub struct Objective<M, F> {
     system: System,
     names: Vec<String>,
@@ -19,10 +21,10 @@ pub struct Objective<M, F> {
 impl System {
     /// Creates a function of dimensions and parameters with its exact gradient, for an optimiser.
     ///
-    /// The function runs the motion over the times. `cost` computes the number F from the measure
-    /// y, and ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. One backward solve serves all parameters
-    /// ([`System::gradient`]). The function works on a copy of the system. With the feature
-    /// `argmin` it implements the traits of that crate.
+    /// The function runs the motion over the times. The closure `cost` computes the number F from
+    /// the measure y, and ∂F/∂y, ∂F/∂ẏ and ∂F/∂ÿ at each time. Kin needs one backward solve for all
+    /// parameters together ([`System::gradient`]). The function works on a copy of the system. With
+    /// the feature `argmin` the function implements the traits of the crate `argmin`.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -45,7 +47,8 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors: a name that nothing has; times that neither increase nor decrease throughout.
+    /// Errors: no dimension or parameter has a given name; the times neither only increase nor only
+    /// decrease.
     pub fn objective<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)>(
         &self,
         names: impl IntoIterator<Item = impl AsRef<str>>,
@@ -67,16 +70,16 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
         &self.names
     }
 
-    /// Returns their present values, where a search can begin.
+    /// Returns the present values of the dimensions and parameters, at which a search can begin.
     pub fn start(&self) -> Vec<f64> {
         self.names.iter().map(|name| self.system.parameter(name).unwrap_or(f64::NAN)).collect()
     }
 
     /// Returns the value and the gradient at p.
     ///
-    /// Errors: a wrong number of values; those of [`System::set`], [`System::run`], of the measure
-    /// and of [`System::gradient`], because without a motion there is no value; a result of `cost`
-    /// that is not finite, or that has not one weight for each time.
+    /// Errors: p has the wrong length; those of [`System::set`], [`System::run`], the measure and
+    /// [`System::gradient`]; `cost` returns a number that is not finite, or does not return one
+    /// weight for each time.
     pub fn at(&self, p: &[f64]) -> Result<(f64, Vec<f64>)> {
         let (system, motion, y) = self.asked(p)?;
         let (value, weights) = self.number(&y)?;
@@ -85,7 +88,9 @@ impl<M: Measure, F: Fn(&Quantity) -> (f64, Vec<[f64; 3]>)> Objective<M, F> {
         Ok((value, system.gradient(&motion, &self.names, what, weight)?))
     }
 
-    /// Returns the value at p alone. Errors: those of [`Objective::at`].
+    /// Returns the value at p, without the gradient.
+    ///
+    /// Errors: those of [`Objective::at`].
     pub fn value(&self, p: &[f64]) -> Result<f64> {
         self.number(&self.asked(p)?.2).map(|(value, _)| value)
     }

@@ -1,10 +1,10 @@
-//! The derivatives of a measure by coordinates: y_q with its first two time derivatives, for the
-//! coordinates on which the measure depends.
+//! Differentiates a measure by the coordinates on which it depends: y_q with its first two time
+//! derivatives.
 //!
-//! Kin evaluates a measure y along the motions q + a s e_j that begin at the pose of each time. Its
-//! derivatives by s up to the third are polynomials in a of that degree. The linear coefficient of
-//! derivative k + 1 is (k + 1) times derivative k of y_q. The values at two or four a determine it
-//! exactly, without approximation.
+//! Kin evaluates a measure y along the motions q + a s e_j that begin at the pose of each time. The
+//! k-th derivative of y by s, for k up to 3, is a polynomial of degree k in a. The linear
+//! coefficient of derivative k + 1 is (k + 1) times derivative k of y_q. The values at two or four
+//! numbers a determine this coefficient exactly.
 
 use crate::ask::measure::Measure;
 use crate::model::error::Result;

@@ -1,4 +1,5 @@
-//! Derivatives of q, q̇ and q̈ by parameters: one solve with the factors of C_q for each order.
+//! Differentiates q, q̇ and q̈ by parameters, with one solve for each order with the factors of
+//! C_q.
 
 use super::along::Prepared;
 use super::solver::SlopeSolver;
@@ -51,13 +52,14 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors, each by name:
+    /// Errors, each of which names the cause:
     ///
-    /// * a name that no parameter has, a parameter on which nothing depends;
-    /// * constraints on the dual route or written by hand, and laws whose derivative is unknown;
-    /// * a redundant mechanism that closes at one value of the parameter only;
-    /// * a motion with a singular position, or with a kink or a break of a law at one of its times;
-    /// * a motion of another system.
+    /// * no parameter has the name, or no equation depends on the parameter;
+    /// * the mechanism has constraints on the dual route, hand-written constraints, or laws with an
+    ///   unknown derivative;
+    /// * the mechanism is redundant and closes at one value of the parameter only;
+    /// * the motion has a singular position, or a kink or a break of a law at one of its times;
+    /// * the motion belongs to another system.
     pub fn sensitivities<'a>(
         &'a self,
         motion: &'a Motion,
@@ -101,16 +103,18 @@ impl Sensitivities<'_> {
         &self.all
     }
 
-    /// Returns the number of times that a tape of the whole mechanism has computed, over several
-    /// times at once.
+    /// Returns the number of times that a tape of the whole mechanism has computed, several times
+    /// at once.
     ///
-    /// The other times are computed one after the other: for motions of a few times, for redundant
+    /// Kin computes the other times one after the other: for motions of a few times, for redundant
     /// mechanisms, near singular positions, and on machines without SIMD.
     pub fn compiled(&self) -> usize {
         self.compiled
     }
 
-    /// Returns the derivatives by one parameter. Errors: a name that was not requested.
+    /// Returns the derivatives by one parameter.
+    ///
+    /// Errors: the program did not request the derivatives by this name.
     pub fn by(&self, name: &str) -> Result<&Sensitivity> {
         self.all.iter().find(|one| one.name == name).ok_or_else(|| Error::UnknownName {
             what: "parameter among the requested ones",
@@ -126,18 +130,23 @@ impl Sensitivity {
         &self.name
     }
 
-    /// Returns ∂q/∂p at time k, in the order of the coordinates. It is empty beyond the last time.
-    /// \[unit of q per unit of p\]
+    /// Returns ∂q/∂p at time k, in the order of the coordinates. \[unit of q per unit of p\]
+    ///
+    /// The slice is empty if k is beyond the last time.
     pub fn q(&self, k: usize) -> &[f64] {
         self.row(0, k)
     }
 
-    /// Returns ∂q̇/∂p at time k. It is empty beyond the last time. \[unit of q̇ per unit of p\]
+    /// Returns ∂q̇/∂p at time k. \[unit of q̇ per unit of p\]
+    ///
+    /// The slice is empty if k is beyond the last time.
     pub fn qd(&self, k: usize) -> &[f64] {
         self.row(1, k)
     }
 
-    /// Returns ∂q̈/∂p at time k. It is empty beyond the last time. \[unit of q̈ per unit of p\]
+    /// Returns ∂q̈/∂p at time k. \[unit of q̈ per unit of p\]
+    ///
+    /// The slice is empty if k is beyond the last time.
     pub fn qdd(&self, k: usize) -> &[f64] {
         self.row(2, k)
     }

@@ -1,5 +1,5 @@
-//! Finds where a motion has no derivatives by parameters: beyond singular positions, at kinks and
-//! at breaks of laws.
+//! Finds the times at which a motion has no derivatives by parameters: beyond singular positions,
+//! at kinks and at breaks of laws.
 
 use kin_graph::Op;
 

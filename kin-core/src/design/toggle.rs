@@ -1,4 +1,4 @@
-//! The derivative of the time of a toggle by parameters.
+//! Differentiates the time of a toggle by parameters.
 
 use nalgebra::DMatrix;
 
@@ -34,8 +34,8 @@ impl System {
     /// dt*/dp = −λᵀ C_p / λᵀ C_t
     /// ```
     ///
-    /// for any motion of the coordinates. The toggle must have ended a run: it is the last of
-    /// [`Motion::singular_positions`] in [`crate::Error::motion`].
+    /// for any motion of the coordinates. A run must have ended at the toggle: the toggle is the
+    /// last of [`Motion::singular_positions`] in [`crate::Error::motion`].
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -58,9 +58,10 @@ impl System {
     /// # }
     /// ```
     ///
-    /// Errors, each by name: a change point, whose branches cross at this value only; a redundant
-    /// mechanism; several parts that are singular at once; those of [`System::sensitivities`]
-    /// except the singular position.
+    /// Errors: the singular position is a change point, whose branches cross only at the present
+    /// value of the parameter; the mechanism is redundant; several parts of the mechanism are
+    /// singular at the same time; those of [`System::sensitivities`], except the error for a
+    /// singular position.
     pub fn toggle_by(
         &self,
         toggle: &SingularPosition,

@@ -1,9 +1,10 @@
-//! Emitted code comes in two parts: one for the compiler, and one for an editor that reads along
-//! (rust-analyzer sets `cfg(rust_analyzer)`). An editor needs the function as the user wrote it,
-//! and neither its derivatives nor its copies.
+//! Selects the part of the emitted code for the compiler or the part for an editor (rust-analyzer
+//! sets `cfg(rust_analyzer)`).
 //!
-//! The choice is made here and not by attributes in emitted code, because `cfg(rust_analyzer)` is
-//! unknown to the user's crate.
+//! An editor needs the function as the user wrote it, and neither its derivatives nor its copies.
+//!
+//! This module makes the choice, and not attributes in emitted code, because the user's crate does
+//! not know `cfg(rust_analyzer)`.
 
 /// Items for the compiler alone.
 #[cfg(not(rust_analyzer))]

@@ -51,12 +51,12 @@ pub fn jet_by_dual(x: f64, f: impl FnOnce(Real<Dual3_64>) -> Real<Dual3_64>) -> 
     [y.re, y.v1, y.v2, y.v3]
 }
 
-/// Makes a local point of an argument.
+/// Creates a local point of an argument.
 pub fn point(argument: usize, [x, y, z]: [f64; 3]) -> Attachment {
     Attachment { argument, what: Attached::Point(Vec3::new(x, y, z)) }
 }
 
-/// Makes a local direction of an argument.
+/// Creates a local direction of an argument.
 pub fn direction(argument: usize, [x, y, z]: [f64; 3]) -> Attachment {
     Attachment { argument, what: Attached::Direction(Vec3::new(x, y, z)) }
 }
@@ -82,7 +82,8 @@ pub fn parameter<T>(given: impl IntoParameter<T>, name: &str, bindings: &mut Bin
     given.into_parameter(&Name::Own(name), bindings)
 }
 
-/// An axis from what a constructor takes for one; what hangs on dimensions is noted.
+/// Converts the argument of a constructor to an axis, and records the directions that depend on
+/// dimensions.
 pub fn axis(given: impl IntoAxis, name: &str, bindings: &mut Bindings) -> Axis {
     given.into_axis(name, bindings)
 }

@@ -1,4 +1,4 @@
-//! From the value of an equation to its rows.
+//! Converts the value of an equation to its rows.
 
 use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 
@@ -8,7 +8,7 @@ use crate::numbers::algebra::{Scalar, Vec2, Vec3};
     label = "not rows"
 )]
 pub trait Rows<T> {
-    /// Hands over row by row.
+    /// Passes each row to `row`.
     fn each(self, row: &mut dyn FnMut(T));
 }
 
@@ -49,7 +49,7 @@ macro_rules! tuples {
 tuples!((A 0) (A 0, B 1) (A 0, B 1, C 2) (A 0, B 1, C 2, D 3) (A 0, B 1, C 2, D 3, E 4) (A 0, B 1, C 2, D 3, E 4, F 5)
     (A 0, B 1, C 2, D 3, E 4, F 5, G 6) (A 0, B 1, C 2, D 3, E 4, F 5, G 6, H 7));
 
-/// The rows of a value; their number was counted from its type.
+/// Returns the rows of a value. The macro has counted the M rows from the type.
 pub fn rows<T: Scalar, R: Rows<T>, const M: usize>(value: R) -> [T; M] {
     let mut all = [T::from(0.0); M];
     let mut places = all.iter_mut();

@@ -1,4 +1,4 @@
-//! Force and torque on one body over time, about a point and in given axes.
+//! Computes force and torque on one body over time, about a point and in given axes.
 
 use std::marker::PhantomData;
 
@@ -13,12 +13,12 @@ use crate::numbers::algebra::Vec3;
 
 /// The force and torque on a body over time, about a point and in axes that you choose.
 ///
-/// The default point is the constraint's point on this body. If the constraint has none there, the
-/// default is its point on the other body, or else the origin of the body; on the ground it is the
-/// global origin. The default axes are global.
+/// The default point is the constraint's point on this body. If the constraint has no point on this
+/// body, the default is its point on the other body, or else the origin of this body. On the ground
+/// the origin is the global origin. The default axes are the global axes.
 ///
-/// If a component is not unique because equations are redundant, the methods that would return it
-/// return an error with its name.
+/// If a component is not unique because equations are redundant, each method that needs the
+/// component returns an error with its name.
 #[derive(Clone)]
 pub struct BodyWrench<'f, V: HasTorque> {
     pub(super) forces: &'f Forces<'f>,
@@ -35,8 +35,9 @@ pub struct BodyWrench<'f, V: HasTorque> {
 }
 
 impl<'f, V: HasTorque> BodyWrench<'f, V> {
-    /// The same about another point of the body, ū: the force's moment is moved too. On the ground
-    /// this is a global point.   \[m\]
+    /// Moves the torque to another point ū of the body. \[m\]
+    ///
+    /// The torque changes by the moment of the force. On the ground ū is a global point.
     #[must_use]
     pub fn at(self, u: impl Into<V>) -> Self {
         let u = u.into().lifted();
@@ -45,6 +46,8 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
     }
 
     /// Moves the torque to a fixed global point. \[m\]
+    ///
+    /// The torque changes by the moment of the force.
     #[must_use]
     pub fn about(self, point: impl Into<V>) -> Self {
         let points = vec![point.into().lifted(); self.points.len()];
@@ -63,7 +66,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         self
     }
 
-    /// Converts the components to the axes of the body.
+    /// Converts the components from global axes to the axes of the body.
     #[must_use]
     pub fn in_body(mut self) -> Self {
         if std::mem::replace(&mut self.fixed, true) {
@@ -76,12 +79,14 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         self
     }
 
-    /// Returns the global point of the torque at each time. \[m\]
+    /// Returns the global position, at each time, of the point about which the torque acts. \[m\]
     pub fn points(&self) -> Vec<V> {
         self.points.iter().map(|point| V::vector(*point)).collect()
     }
 
-    /// Returns the force at each time. Errors: a component that is not unique. \[N\]
+    /// Returns the force at each time. \[N\]
+    ///
+    /// Errors: a component is not unique.
     pub fn force(&self) -> Result<Vec<V>> {
         self.all(0..3)?;
         Ok(self.wrenches.iter().map(|wrench| V::vector(wrench.force)).collect())
@@ -90,19 +95,23 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
     /// Returns the torque about the point at each time: a number in the plane, a vector in space.
     /// \[N m\]
     ///
-    /// Errors: a component that is not unique.
+    /// Errors: a component is not unique.
     pub fn torque(&self) -> Result<Vec<V::Torque>> {
         self.all(3..6)?;
         Ok(self.wrenches.iter().map(|wrench| V::torque(wrench.torque)).collect())
     }
 
-    /// Returns |F| over time. Errors: a component that is not unique. \[N\]
+    /// Returns the magnitude |F| of the force over time. \[N\]
+    ///
+    /// Errors: a component is not unique.
     pub fn magnitude(&self) -> Result<Series> {
         self.all(0..3)?;
         Ok(self.series("force", 0, |wrench| wrench.force.norm()))
     }
 
-    /// Returns |T| over time. Errors: a component that is not unique. \[N m\]
+    /// Returns the magnitude |T| of the torque over time. \[N m\]
+    ///
+    /// Errors: a component is not unique.
     pub fn torque_magnitude(&self) -> Result<Series> {
         self.all(3..6)?;
         Ok(self.series("torque", 3, |wrench| wrench.torque.norm()))
@@ -113,7 +122,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
     /// The names are `F_x`, `F_y`, `T` in the plane and `F_x`, `F_y`, `F_z`, `T_x`, `T_y`, `T_z` in
     /// space.
     ///
-    /// Errors: another name, a component that is not unique.
+    /// Errors: no component has the name; the component is not unique.
     pub fn component(&self, name: &str) -> Result<Series> {
         let Some((name, number)) = V::COMPONENTS.iter().find(|(known, _)| *known == name) else {
             return Err(Error::UnknownName {
@@ -131,8 +140,10 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         V::COMPONENTS.iter().filter_map(|(name, _)| self.component(name).ok()).collect()
     }
 
-    /// Returns the names of the components that are not unique, because equations are redundant. At
-    /// some time another value satisfies every balance too.
+    /// Returns the names of the components that are not unique because equations are redundant.
+    ///
+    /// At some time of the motion another value of such a component also satisfies all equations of
+    /// equilibrium.
     pub fn not_unique(&self) -> Vec<&'static str> {
         let open = |number: usize| self.first_open(number).is_some();
         V::COMPONENTS.iter().filter(|(_, number)| open(*number)).map(|(name, _)| *name).collect()

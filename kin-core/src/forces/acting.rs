@@ -1,4 +1,4 @@
-//! The generalised forces of loads at one time.
+//! Computes the generalised forces of loads at one time.
 
 mod way;
 

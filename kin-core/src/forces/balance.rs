@@ -1,4 +1,4 @@
-//! Energies, and the balance of powers.
+//! Computes energies and the balance of powers.
 
 use std::fmt;
 
@@ -29,14 +29,17 @@ pub struct Balance {
     pub drives: Series,
     /// The power of loads and of weight.   \[W\]
     pub loads: Series,
-    /// The power of friction in joints. It is dissipated, so it is at most zero. \[W\]
+    /// The power of friction in joints. Friction dissipates power, so the values are at most zero.
+    /// \[W\]
     pub friction: Series,
-    /// dT/dt, from differentiating T along the motion and not from the balance of forces. \[W\]
+    /// The derivative dT/dt of the kinetic energy. Kin differentiates T along the motion and does
+    /// not use the balance of forces. \[W\]
     pub kinetic: Series,
-    /// The power of drivers, loads and friction minus dT/dt. It is zero except for rounding. \[W\]
+    /// The power of drivers, loads and friction minus dT/dt. The difference is zero except for
+    /// rounding. \[W\]
     pub left: Series,
     /// The largest power of any force (of a driver, a load, weight, inertia) on any coordinate at
-    /// any time. Rounding errors are a share of it. \[W\]
+    /// any time. Rounding errors are proportional to this power. \[W\]
     pub largest: f64,
 }
 
@@ -134,8 +137,8 @@ impl Energy {
 }
 
 impl Balance {
-    /// Returns the largest difference of the balance as a share of the largest power, or 0 if
-    /// nothing has power. \[-\]
+    /// Returns the largest difference of the balance as a share of the largest power, or 0 if all
+    /// powers are zero. \[-\]
     pub fn worst(&self) -> f64 {
         let left = self.left.max().abs().max(self.left.min().abs());
         if left == 0.0 { 0.0 } else { left / self.largest }

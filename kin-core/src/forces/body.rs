@@ -1,4 +1,4 @@
-//! The balance of one body: inertial forces, weight, kinetic energy.
+//! Computes the balance of one body: inertial forces, weight, kinetic energy.
 
 use crate::model::loads::Solid;
 use crate::model::state::{PlanarState, SpatialState};

@@ -1,4 +1,4 @@
-//! The forces of a motion, and their quantities by name.
+//! Computes the forces of a motion, and returns their quantities by name.
 
 use std::sync::{Arc, OnceLock};
 
@@ -34,12 +34,12 @@ pub struct Forces<'a> {
 }
 
 impl System {
-    /// Returns the names of the loads, in the order of adding.
+    /// Returns the names of the loads, in the order in which the program added them.
     pub fn load_names(&self) -> Vec<&str> {
         self.loads.loads.iter().map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Returns true if something has mass or acts, so that [`System::forces`] has a result.
+    /// Returns true if the mechanism has a mass or a load, so that [`System::forces`] has a result.
     pub fn has_forces(&self) -> bool {
         !self.loads.is_empty()
     }
@@ -47,25 +47,33 @@ impl System {
     /// Computes the forces of a motion of this system: C_qᵀ λ = Q_e + Q_v − M q̈, with one
     /// transposed solve for each time.
     ///
-    /// [`crate::Mechanism::mass`] sets masses, [`crate::Mechanism::gravity`] weight and
-    /// [`crate::Mechanism::load`] other loads. For many times Kin uses a compiled program if
-    /// possible ([`Forces::engine`]).
+    /// [`crate::Mechanism::mass`] sets masses, [`crate::Mechanism::gravity`] sets the acceleration
+    /// of gravity, and [`crate::Mechanism::load`] adds other loads. For many times Kin uses a
+    /// compiled program if possible ([`Forces::engine`]).
     ///
-    /// Errors: a mechanism without masses and loads; a motion of another system; a singular
-    /// position, where forces have no bound; a load that is not finite; a mechanism that friction
-    /// jams ([`crate::error::Jammed`]); friction that depends on a force that is not unique.
+    /// Errors:
+    ///
+    /// * the mechanism has no masses and no loads;
+    /// * the motion belongs to another system;
+    /// * the motion has a singular position, where forces have no bound;
+    /// * a load is not finite;
+    /// * friction jams the mechanism ([`crate::error::Jammed`]);
+    /// * friction depends on a force that is not unique.
     pub fn forces<'a>(&'a self, motion: &'a Motion) -> Result<Forces<'a>> {
         self.solver().forces(motion)
     }
 }
 
 impl<'a> Solver<'a> {
-    /// Computes the forces of a motion of this system ([`System::forces`]) by the engine of the
-    /// options and with their rule for redundant constraints ([`crate::SolverOptions::sharing`]).
+    /// Computes the forces of a motion of this system ([`System::forces`]) with the options of this
+    /// solver.
     ///
-    /// [`Engine::StepByStep`] assembles and solves time by time. [`Engine::Compiled`] makes one
-    /// program of masses, loads and the transposed solve, and replays it over several times at
-    /// once. [`Engine::Auto`] does that where it pays. Numbers differ in the last digits.
+    /// [`crate::SolverOptions::sharing`] sets the rule for redundant constraints.
+    ///
+    /// [`Engine::StepByStep`] assembles and solves one time after the other. [`Engine::Compiled`]
+    /// compiles one program from masses, loads and the transposed solve, and runs the program for
+    /// several times at once. [`Engine::Auto`] uses the compiled program if it saves time. The
+    /// results of both engines differ in the last digits.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -86,9 +94,10 @@ impl<'a> Solver<'a> {
     /// # }
     /// ```
     ///
-    /// Errors: those of [`System::forces`]; equations that cannot carry no force, by name; with
-    /// [`Engine::Compiled`], what prevents a program, by name: friction, redundant equations, a
-    /// load that is a closure, a constraint that is not known as a formula.
+    /// Errors: those of [`System::forces`]; an equation of the sharing rule cannot be left out (the
+    /// error names the equation). With [`Engine::Compiled`] the call also returns an error if Kin
+    /// cannot compile a program. The causes are friction, redundant equations, a load that is a
+    /// closure, and a constraint without a formula; the error names the cause.
     pub fn forces(&self, motion: &'a Motion) -> Result<Forces<'a>> {
         let system = self.system;
         system.own_as_it_is(motion)?;
@@ -242,16 +251,19 @@ impl<'a> Forces<'a> {
         self.motion
     }
 
-    /// Returns how many times a program has computed ([`Engine::Compiled`]), and how many times it
-    /// has returned to the step-by-step solver. It returns a time if a pivot is small or a number
-    /// is not finite.
+    /// Returns the number of times that a program has computed ([`Engine::Compiled`]), and the
+    /// number of times that the program returned to the step-by-step solver.
+    ///
+    /// The program returns a time if a pivot is small or a number is not finite.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
 
-    /// Returns the reason why all times were computed one by one although a program would have been
-    /// faster. The reason contains the name. Returns `None` if a program was used, or if none was
-    /// tried.
+    /// Returns the reason why Kin computed all times one by one although a program would have been
+    /// faster.
+    ///
+    /// The reason contains the name of the cause. Returns `None` if Kin used a program, or did not
+    /// try to compile one.
     pub fn why_not_compiled(&self) -> Option<&str> {
         self.plain.as_deref()
     }
@@ -261,17 +273,19 @@ impl<'a> Forces<'a> {
         self.system.name()
     }
 
-    /// Returns the force and torque of a constraint on its bodies. Drivers are constraints too.
+    /// Returns the force and torque of a constraint, such as a joint or a driver, on its bodies.
     ///
-    /// Errors: a name that no constraint has.
+    /// Errors: no constraint has the name.
     pub fn reaction(&self, constraint: &str) -> Result<Reaction<'_>> {
         Ok(Reaction::new(self, constraint, vec![Source::Constraint(self.block(constraint)?)]))
     }
 
     /// Returns the force and torque of several constraints together, about the origin of a body.
-    /// The sum over redundant constraints can be unique although none of them is.
     ///
-    /// Errors: a name that no constraint has, an empty list.
+    /// The sum over redundant constraints can be unique although the force of each constraint is
+    /// not unique.
+    ///
+    /// Errors: no constraint has a name of the list; the list is empty.
     pub fn sum(
         &self,
         constraints: impl IntoIterator<Item = impl AsRef<str>>,
@@ -289,8 +303,8 @@ impl<'a> Forces<'a> {
     /// Returns the force and torque of all constraints, including drivers, on the ground: the
     /// shaking force and the shaking moment about the origin.
     ///
-    /// Use [`Reaction::on`] with a planar or spatial body that is the ground. The result includes
-    /// friction in joints, but not loads between a body and the ground.
+    /// Call [`Reaction::on`] with the ground as a planar or spatial body. The result includes
+    /// friction in joints. The result does not include loads between a body and the ground.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -318,10 +332,10 @@ impl<'a> Forces<'a> {
     /// Returns the force and torque of the friction in a joint on its bodies, about the joint's
     /// point.
     ///
-    /// Its power is the heat, as a negative number. [`Forces::reaction`] of the joint contains only
-    /// the normal forces.
+    /// The power of friction is the dissipated power, as a negative number. [`Forces::reaction`] of
+    /// the joint contains only the normal forces.
     ///
-    /// Errors: a name that no joint with friction has.
+    /// Errors: no joint with friction has the name.
     pub fn friction(&self, joint: &str) -> Result<Reaction<'_>> {
         let known = || self.frictions.all.iter().map(|rubbing| &rubbing.name);
         let number = known().position(|name| name == joint).ok_or_else(|| Error::UnknownName {
@@ -334,7 +348,7 @@ impl<'a> Forces<'a> {
 
     /// Returns the force and torque of a load on its bodies.
     ///
-    /// Errors: a name that no load has.
+    /// Errors: no load has the name.
     pub fn load(&self, name: &str) -> Result<Reaction<'_>> {
         let number = self.loads.iter().position(|(known, _)| *known == name);
         let number = number.ok_or_else(|| Error::UnknownName {
@@ -347,14 +361,15 @@ impl<'a> Forces<'a> {
 
     /// Returns the efforts of a driver and its power.
     ///
-    /// Errors: a name that no constraint has, a constraint that is no driver, an effort that is not
-    /// unique.
+    /// Errors: no constraint has the name; the constraint is not a driver; an effort is not unique.
     pub fn drive(&self, name: &str) -> Result<Drive> {
         effort::drive(self, self.block(name)?)
     }
 
-    /// Returns the names of all constraints, including drivers, in the order of adding. The norm
-    /// constraints of Euler parameters carry no force, so the list omits them.
+    /// Returns the names of all constraints, including drivers, in the order in which the program
+    /// added them.
+    ///
+    /// The list omits the norm constraints of Euler parameters, which carry no force.
     pub fn constraints(&self) -> Vec<&str> {
         let blocks = self.system.equations().blocks.iter();
         let told = blocks.filter(|block| block.constraint.facts().kind != "euler_norm");
@@ -377,8 +392,8 @@ impl<'a> Forces<'a> {
         self.energy.get_or_init(|| Energy::along(self.system, self.motion, &self.loads))
     }
 
-    /// Returns the balance of powers: drivers and loads against dT/dt, which Kin computes by
-    /// differentiating T.
+    /// Returns the balance of powers: the power of drivers, loads and friction, compared with
+    /// dT/dt.
     pub fn balance(&self) -> &Balance {
         &self.balance
     }

@@ -1,4 +1,4 @@
-//! The force or torque of a driver, and its power.
+//! Computes the force or torque of a driver, and its power.
 
 mod advantage;
 mod by_law;
@@ -16,11 +16,12 @@ use by_law::{Led, Share};
 /// The efforts and the power of a driver.
 ///
 /// The effort of a law f is the generalised force λ · ∂C/∂f. So effort · ḟ is the power that the
-/// law puts into the mechanism. For a driver with rows x(q) − f(t) = 0 it is −λ, row by row.
+/// law puts into the mechanism. For a driver with rows x(q) − f(t) = 0 the effort is −λ, row by
+/// row.
 ///
-/// For some drivers Kin does not know ∂C/∂f: those on the dual route, and those that read the slope
-/// of a law or a law at several times. Then the efforts are −λ for each row, and only the power has
-/// a clear meaning.
+/// Kin does not know ∂C/∂f for drivers on the dual route, and for drivers that read the slope of a
+/// law or a law at several times. For these drivers the efforts are −λ for each row, and only the
+/// power has a clear meaning.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drive {
     efforts: Vec<Series>,
@@ -31,9 +32,9 @@ pub struct Drive {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Peak {
-    /// The value, with its sign.
+    /// The value of the largest magnitude, with its sign.
     pub value: f64,
-    /// The time. \[s\]
+    /// The first time of the largest magnitude. \[s\]
     pub t: f64,
     /// The unit of the value.
     pub unit: String,
@@ -66,7 +67,7 @@ impl fmt::Display for Peak {
 }
 
 impl Series {
-    /// Returns the largest magnitude with its first time, or NaN for an empty series.
+    /// Returns the value of largest magnitude with its first time, or NaN for an empty series.
     pub fn peak(&self) -> Peak {
         Peak::of(self)
     }
@@ -76,18 +77,19 @@ impl Drive {
     /// Returns the generalised force of the driver's law: a torque if the law is an angle, a force
     /// if it is a length. \[N m, N\]
     ///
-    /// The power put into the mechanism is effort · ḟ. The effort is positive in the direction in
-    /// which the law grows. For a driver with several laws it is the effort of the first;
-    /// [`Drive::efforts`] returns all.
+    /// The power that the driver puts into the mechanism is effort · ḟ. The effort is positive in
+    /// the direction in which the law grows. For a driver with several laws this method returns the
+    /// effort of the first law; [`Drive::efforts`] returns all efforts.
     pub fn effort(&self) -> &Series {
         &self.efforts[0]
     }
 
     /// Returns the effort of each law.
     ///
-    /// The names are `motor` for one law, `hand.x` for a driver with a row for each law, and
-    /// `tip.x_i` by the name of a law otherwise. If the formulas do not show whether a law is a
-    /// length or an angle, the unit is that of energy per unit of the law.
+    /// The effort of a single law has the name of the driver, such as `motor`. If a driver has a
+    /// row for each law, the names contain the row, such as `hand.x`. Otherwise the names contain
+    /// the law, such as `tip.x_i`. If the formulas do not show whether a law is a length or an
+    /// angle, the unit is the unit of energy per unit of the law.
     pub fn efforts(&self) -> &[Series] {
         &self.efforts
     }

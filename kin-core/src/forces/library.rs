@@ -1,9 +1,9 @@
-//! The library of loads: springs, dampers and struts, written as compiled functions like the
+//! Defines the library of loads: springs, dampers and struts, as compiled functions like the
 //! joints.
 //!
-//! This module contains the loads of planar bodies and coordinates. Those of spatial bodies are in
-//! [`spatial`]. A load acts on both of its bodies. If one body is the ground, the load also acts on
-//! the ground.
+//! This module contains the loads of planar bodies and coordinates. The module [`spatial`] contains
+//! the loads of spatial bodies. A load acts on both of its bodies. If one body is the ground, the
+//! load also acts on the ground.
 
 use crate::model::coordinates::{IntoCoordinate, IntoPlanarBody};
 use crate::model::law::Law;
@@ -13,18 +13,19 @@ use kin_macros::{constraint, force, potential};
 
 pub mod spatial;
 
-/// Returns the distance of two points, |r_Pi − r_Pj|, as a length to act along. \[m\]
+/// Returns the distance of two points, |r_Pi − r_Pj|, as a length along which a load can act. \[m\]
 ///
-/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. Where the
-/// points meet, the distance has no derivative.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. If the points
+/// coincide, the distance has no derivative.
 ///
-/// Signs: none. A positive force along the distance pushes the points apart.
+/// Signs: a positive force along the distance pushes the points apart.
 #[constraint]
 pub fn length(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm()
 }
 
-/// Returns the angle of body i relative to body j, θ_i − θ_j, as an angle to act along. \[rad\]
+/// Returns the angle of body i relative to body j, θ_i − θ_j, as an angle along which a load can
+/// act. \[rad\]
 ///
 /// Signs: a positive torque along the angle turns i counter-clockwise and j clockwise.
 #[constraint]
@@ -33,7 +34,7 @@ pub fn turn(i: Planar, j: Planar) -> f64 {
 }
 
 /// Returns the displacement of P_i along a direction of body j, h_j · (Aⱼᵀ(r_Pi − r_j) −
-/// ū_j)/|h_j|, as a length to act along. \[m\]
+/// ū_j)/|h_j|, as a length along which a load can act. \[m\]
 ///
 /// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `h_j` is the
 /// direction in body j, such as the axis of a cylinder.
@@ -46,9 +47,9 @@ pub fn slide(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f64 {
     h_j.dot(j.local(i.point(u_i)) - u_j) / h_j.norm()
 }
 
-/// Returns the coordinate q itself as a length or angle to act along. \[unit of q\]
+/// Returns the coordinate q itself as a length or angle along which a load can act. \[unit of q\]
 ///
-/// Signs: those of the coordinate.
+/// Signs: a positive force or torque increases q.
 #[constraint]
 pub fn along(q: Coord) -> f64 {
     q
@@ -71,7 +72,7 @@ pub fn spring(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, stiffness: f64, free: 
 ///
 /// `stiffness` is k \[N m/rad\]. `free` is θ0, the angle of i relative to j without torque \[rad\].
 ///
-/// Signs: beyond θ0 the spring turns body i back.
+/// Signs: the spring turns body i back towards the angle θ0.
 #[potential]
 pub fn torsion_spring(i: Planar, j: Planar, stiffness: f64, free: f64) -> f64 {
     let turn = i.theta - j.theta - free;
@@ -82,7 +83,7 @@ pub fn torsion_spring(i: Planar, j: Planar, stiffness: f64, free: f64) -> f64 {
 ///
 /// `stiffness` is k \[N/m or N m/rad\]. `free` is q0, the coordinate without force \[unit of q\].
 ///
-/// Signs: beyond q0 the spring pulls the coordinate back.
+/// Signs: the spring pulls the coordinate back towards q0.
 #[potential]
 pub fn coordinate_spring(q: Coord, stiffness: f64, free: f64) -> f64 {
     0.5 * stiffness * (q - free) * (q - free)
@@ -116,7 +117,7 @@ pub fn bushing(
 /// `x` is any length or angle. `stiffness` is k \[N/m or N m/rad\]. `free` is x0, the length or
 /// angle without force. `damping` is c \[N s/m or N m s\].
 ///
-/// Signs: beyond x0 the spring pulls x back.
+/// Signs: the spring pulls x back towards x0, and the damper acts against ẋ.
 #[force]
 pub fn spring_damper(x: Coord, rate: Rate, stiffness: f64, free: f64, damping: f64) -> f64 {
     -stiffness * (x - free) - damping * rate
@@ -136,7 +137,7 @@ pub fn viscous(_x: Coord, rate: Rate, damping: f64) -> f64 {
 ///
 /// `x` is any length or angle. `law` is F, a law of x.
 ///
-/// Signs: a positive force makes x grow.
+/// Signs: a positive force increases x.
 #[force]
 pub fn force_by(x: Coord, law: Law) -> f64 {
     law.at(x)
@@ -146,7 +147,7 @@ pub fn force_by(x: Coord, law: Law) -> f64 {
 ///
 /// `x` is any length or angle. `law` is F, a law of t.
 ///
-/// Signs: a positive force makes x grow.
+/// Signs: a positive force increases x.
 #[force]
 pub fn force_in_time(_x: Coord, t: Time, law: Law) -> f64 {
     law.at(t)
@@ -154,10 +155,11 @@ pub fn force_in_time(_x: Coord, t: Time, law: Law) -> f64 {
 
 /// Applies the pressure in a cylinder along the length of its chamber: f = p(x) A. \[N\]
 ///
-/// `x` is the length of the chamber \[m\]. `table` is p as a law of that length, such as
-/// `Law::spline` of an indicator diagram \[Pa\]. `area` is the area A of the piston \[m²\].
+/// `x` is the length of the chamber \[m\]. `table` is p as a law of the length of the chamber, such
+/// as `Law::spline` of an indicator diagram \[Pa\]. `area` is the area A of the piston \[m²\].
 ///
-/// Signs: a pressure above the pressure outside makes the chamber longer.
+/// Signs: a positive p pushes the chamber to a greater length; p is the pressure above the outside
+/// pressure.
 #[force]
 #[require(area > 0.0, "the area of the piston must be above zero")]
 pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
@@ -169,7 +171,7 @@ pub fn pressure(x: Coord, table: Law, area: f64) -> f64 {
 /// `push` is F, the force at x0 \[N\]. `there` is x0 \[m\]. `column` is a, the length of the column
 /// of gas at x0 \[m\]. `exponent` is n of the gas: 1 for slow, 1.4 for fast changes.
 ///
-/// Signs: a positive F makes x longer.
+/// Signs: a positive F increases x.
 #[force]
 #[require(column > 0.0, "the length of the column of gas must be above zero")]
 pub fn gas(x: Coord, push: f64, there: f64, column: f64, exponent: f64) -> f64 {
@@ -225,7 +227,7 @@ pub fn damped_bushing(
 
 /// Applies a force or torque along a coordinate by a law of time. \[N, N m\]
 ///
-/// `q` is the coordinate and `force` the law. A positive force makes q grow.
+/// `q` is the coordinate and `force` is the law of time. A positive force increases q.
 pub fn force_along(q: impl IntoCoordinate, force: Law) -> Load {
     force_in_time(along(q), force)
 }
@@ -260,10 +262,12 @@ pub fn strut(
     force_by(length(i, j, u_i.into(), u_j.into()), force)
 }
 
-/// Acts as a gas spring between two points: it pushes them apart with F (a/(a − (l0 − l)))ⁿ. \[N\]
+/// Acts as a gas spring between two points, which pushes the points apart with the force F (a/(a −
+/// (l0 − l)))ⁿ. \[N\]
 ///
-/// l is the distance of the points and F the force at the length l0. a is the length of the column
-/// of gas at l0 \[m\], and n the exponent of the gas: 1 for slow, 1.4 for fast changes.
+/// The distance of the points is l \[m\], and F is the force at the length l0 \[N\]. The column of
+/// gas has the length a at l0 \[m\]. The exponent n of the gas is 1 for slow and 1.4 for fast
+/// changes.
 pub fn gas_spring(
     i: impl IntoPlanarBody,
     j: impl IntoPlanarBody,

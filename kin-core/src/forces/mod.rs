@@ -1,7 +1,8 @@
-//! Forces in driven mechanisms: reactions of joints and efforts of drivers, computed from C_q.
+//! Computes forces in driven mechanisms, the reactions of joints and the efforts of drivers, from
+//! C_q.
 //!
-//! q̈ is known, so the multipliers of the constraints follow from one transposed solve for each
-//! time,
+//! The acceleration q̈ is known, so Kin computes the multipliers λ of the constraints by one
+//! transposed solve for each time,
 //!
 //! ```text
 //! C_qᵀ λ = Q_e + Q_v − M q̈
@@ -9,11 +10,12 @@
 //!
 //! (A. A. Shabana, *Computational Dynamics*, 3rd ed., section 6.7: kinematically driven systems).
 //! Q_e are the generalised forces of weight and loads, and M q̈ − Q_v are the inertial forces. The
-//! balance of each body (`body.rs`) gives them with ω̄ = 2 Ḡ ṗ, so that nothing acts along p.
+//! balance of each body (`body.rs`) gives the inertial forces with ω̄ = 2 Ḡ ṗ, so that no force
+//! acts along p.
 //!
-//! A constraint puts the generalised force −C_qᵀ λ on the coordinates of its bodies. This is a
-//! force −C_Rᵀ λ and a torque −C_θᵀ λ; in space the torque is −½ Ḡ C_pᵀ λ in the axes of the body
-//! (`wrench.rs`).
+//! A constraint applies the generalised force −C_qᵀ λ to the coordinates of its bodies. In the
+//! plane the force on a body is −C_Rᵀ λ and the torque is −C_θᵀ λ. In space the torque is −½ Ḡ C_pᵀ
+//! λ in the axes of the body (`wrench.rs`).
 
 mod acted;
 mod acting;

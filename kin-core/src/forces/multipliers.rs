@@ -1,4 +1,4 @@
-//! The multipliers λ of all constraints: at one time, at all times, and the solve at one time.
+//! Computes and stores the multipliers λ of all constraints.
 
 use super::acting::Now;
 use super::friction::Rub;
@@ -23,13 +23,13 @@ pub(super) struct Multipliers {
 /// Data of the multipliers that only redundant mechanisms and those with friction have.
 #[derive(Default)]
 pub(super) struct BesideThem {
-    /// Vectors of the null space of C_qᵀ; empty for a mechanism without redundant equations. They
-    /// are scaled: the largest generalised force times the size of its coordinate, for any entry,
-    /// is 1.
+    /// Vectors of the null space of C_qᵀ; empty for a mechanism without redundant equations. The
+    /// vectors are scaled: the largest generalised force times the size of its coordinate, for any
+    /// entry, is 1.
     pub open: Vec<Vec<f64>>,
     /// The factors that scale the entries of each row to order 1, if there are such vectors.
     norms: Vec<f64>,
-    /// The characteristic length, if there are such vectors. \[m\]
+    /// The characteristic length, if the null space has vectors. \[m\]
     pub length: f64,
     /// The friction in each joint that has it.
     pub rubs: Vec<Rub>,

@@ -1,4 +1,4 @@
-//! The force and torque of constraints and loads on a body over time.
+//! Computes the force and torque of constraints and loads on a body over time.
 
 use super::acted::BodyWrench;
 use super::acting::Now;
@@ -37,10 +37,11 @@ impl<'f> Reaction<'f> {
 
     /// Returns the force and torque on one body.
     ///
-    /// The ground is `PlanarBody::from(ground)` or `SpatialBody::from(ground)`. It receives the
-    /// opposite of all forces on bodies.
+    /// For the ground pass `PlanarBody::from(ground)` or `SpatialBody::from(ground)`. The force on
+    /// the ground is the opposite of the sum of the forces on the bodies.
     ///
-    /// Errors: a body of another mechanism, a body on which the source does not act.
+    /// Errors: the body belongs to another mechanism; the constraint or load does not act on the
+    /// body.
     pub fn on<B: Body>(&self, body: B) -> Result<BodyWrench<'f, B::Vector>>
     where
         B::Vector: HasTorque,
@@ -103,7 +104,7 @@ impl<'f> Reaction<'f> {
         Ok(BodyWrench { forces, name, on, wrenches, open, stands, points, fixed: false, kind })
     }
 
-    /// Returns the power that the source puts into the mechanism: Q · q̇. \[W\]
+    /// Returns the power Q · q̇ that the constraints or the load put into the mechanism. \[W\]
     pub fn power(&self) -> Series {
         let motion = self.forces.motion;
         let at = |k: usize| -> f64 {

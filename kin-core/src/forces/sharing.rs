@@ -1,4 +1,4 @@
-//! Rules that make forces unique which redundant constraints share.
+//! Applies the rules that make the forces of redundant constraints unique.
 
 use nalgebra::{DMatrix, DVector};
 

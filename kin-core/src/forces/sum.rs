@@ -1,4 +1,5 @@
-//! The generalised forces of everything except constraints, time by time, with energies and powers.
+//! Sums the generalised forces of everything except constraints at each time, with energies and
+//! powers.
 
 use super::acting::{Beside, Laid, Now, scatter};
 use super::body::{self, Moved};

@@ -1,4 +1,4 @@
-//! All forces as columns, and as a table in a file.
+//! Returns all forces as columns, and writes them as a table to a file.
 
 use std::io::Write;
 use std::path::Path;
@@ -16,13 +16,14 @@ use crate::system::System;
 const NOTHING: f64 = 1e-9;
 
 impl System {
-    /// Returns an error for the first of these names that is no measure, no coordinate and no
-    /// column of forces ([`Forces::columns`]).
+    /// Returns an error for the first name that is not a measure, a coordinate or a column of
+    /// forces ([`Forces::columns`]).
     ///
-    /// Call it before a sweep over many cases. Columns are those at time t. If there are no forces
-    /// at that time, names that may be columns are not checked.
+    /// Call this function before a sweep over many cases. Kin uses the columns at time t. If Kin
+    /// cannot compute the forces at time t, it does not check names that may be columns.
     ///
-    /// Errors: [`Error::UnknownName`], with the names that exist.
+    /// Errors: no measure, coordinate or column has a name ([`Error::UnknownName`], with the
+    /// existing names).
     pub fn check_columns(&self, names: &[impl AsRef<str>], t: f64) -> Result<()> {
         let mut known: Vec<String> = self.measures();
         known.extend(self.coordinate_names().iter().cloned());
@@ -51,9 +52,10 @@ impl Forces<'_> {
     /// * the components of each constraint on each of its bodies, about its point in global axes
     ///   (`A on crank.F_x`),
     /// * the components and the power of each friction (`A.friction on crank.T`),
-    /// * both energies.
+    /// * the kinetic and the potential energy.
     ///
-    /// The norm constraints of Euler parameters carry no force and have no columns.
+    /// The norm constraints of Euler parameters carry no force, so the list has no columns for
+    /// them.
     pub fn columns(&self) -> Vec<Series> {
         let mut all = Vec::new();
         for name in self.drives() {
@@ -81,8 +83,8 @@ impl Forces<'_> {
 
     /// Returns the column with this name, such as `motor` or `A on crank.F_x`.
     ///
-    /// Errors: a name that no column has, with the names that exist. A component that is not unique
-    /// has no column.
+    /// Errors: no column has the name; the error lists the existing names. A component that is not
+    /// unique has no column.
     pub fn named(&self, name: &str) -> Result<Series> {
         let mut all = self.columns();
         if let Some(found) = all.iter().position(|column| column.name() == name) {
@@ -92,8 +94,9 @@ impl Forces<'_> {
         Err(Error::UnknownName { what: "column of forces", name: name.to_string(), known })
     }
 
-    /// Returns |F| of each constraint that is no driver, on the first of its bodies (`A on
-    /// crank.force`). It omits forces that are not unique, and those that are always zero.
+    /// Returns |F| of each constraint that is not a driver, on its first body (`A on crank.force`).
+    ///
+    /// The list omits forces that are not unique, and forces that are always zero.
     pub fn magnitudes(&self) -> Vec<Series> {
         let layout = self.system.layout();
         let drives = self.drives();
@@ -140,7 +143,7 @@ impl Forces<'_> {
     /// The first column is t. Headers have the form `A on crank.F_x [N]`; numbers have 17
     /// significant digits.
     ///
-    /// Errors: a folder or file that cannot be written, with its path.
+    /// Errors: Kin cannot write the folder or file; the error contains the path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
         to_file(path.as_ref(), |to| self.write_csv_to(to))
     }

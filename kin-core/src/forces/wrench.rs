@@ -1,4 +1,4 @@
-//! Force and torque: from generalised forces, about other points, in other axes.
+//! Converts generalised forces to force and torque, and moves them to other points and axes.
 
 use super::body::torque;
 use crate::model::state::{PlanarState, SpatialState};

@@ -1,4 +1,4 @@
-//! Estimates how close a factored matrix is to a singular one, by inverse iteration with the
+//! Estimates how close a factored matrix is to a singular matrix, by inverse iteration with the
 //! recorded program and its transpose.
 
 use super::Linear;

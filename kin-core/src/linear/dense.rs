@@ -1,5 +1,6 @@
-//! A small dense matrix, eliminated at once. If each matrix differs much from the one before,
-//! recording does not pay.
+//! Eliminates a small dense matrix directly.
+//!
+//! If each matrix differs much from the previous matrix, recording the elimination saves no time.
 
 /// A pivot below this value is zero, for a matrix with rows and columns of order 1. \[-\]
 const SINGULAR: f64 = 1e-13;

@@ -1,4 +1,4 @@
-//! The rank of a sparse matrix of any shape, and its null spaces on both sides.
+//! Computes the rank of a sparse matrix of any shape, and its null spaces on both sides.
 //!
 //! Gaussian elimination uses sparse pivots as long as good ones remain, then the largest remaining
 //! entry. So large mechanisms stay sparse, and complete pivoting finds the last pivots, which
@@ -29,9 +29,9 @@ pub(crate) struct Echelon {
     pub free_rows: Vec<usize>,
     /// The columns without a pivot, in increasing order.
     pub free_columns: Vec<usize>,
-    /// The smallest accepted pivot; infinite if there is none.
+    /// The smallest accepted pivot; infinite if no pivot was accepted.
     pub smallest: f64,
-    /// The largest entry that counted as zero.
+    /// The largest entry that Kin treated as zero.
     pub left: f64,
     /// The numbers of rows and columns.
     shape: (usize, usize),

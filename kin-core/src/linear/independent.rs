@@ -1,5 +1,6 @@
-//! Solves more equations than unknowns that agree with one another: it solves as many independent
-//! equations as there are unknowns and checks the others.
+//! Solves more equations than unknowns that agree with one another.
+//!
+//! Kin solves as many independent equations as unknowns and checks the other equations.
 
 use std::collections::BTreeMap;
 

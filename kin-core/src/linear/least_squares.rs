@@ -1,4 +1,4 @@
-//! Least squares: any number of equations for n unknowns, by the same recorded elimination.
+//! Solves any number of equations for n unknowns by least squares, with the recorded elimination.
 
 use super::Linear;
 

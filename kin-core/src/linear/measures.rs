@@ -1,5 +1,5 @@
-//! The scales of rows and columns, from their present and earlier sizes. They select and judge
-//! pivots.
+//! Computes the scales of rows and columns, with which Kin selects and judges pivots, from present
+//! and earlier sizes.
 
 use super::{Linear, RANK, SLACK};
 use crate::numbers::padded::{self, Padded};

@@ -29,7 +29,7 @@ impl Vector for Vec3 {
     }
 }
 
-/// The coordinates of a body and their derivatives at one time. The ground has none.
+/// The coordinates of a body and their derivatives at one time. The lists of the ground are empty.
 #[doc(hidden)]
 #[derive(Clone, Copy)]
 pub struct Course<'a> {
@@ -52,8 +52,10 @@ pub trait Body {
     #[doc(hidden)]
     fn target(self) -> Target;
 
-    /// Returns r, v, a and jerk of the local point u for this course of the body. Without q⃛ the
-    /// jerk is meaningless.
+    /// Returns the position, velocity, acceleration and jerk of the local point u from the
+    /// coordinates of the body and their derivatives.
+    ///
+    /// If `course` has no q⃛, the returned jerk is meaningless.
     #[doc(hidden)]
     fn point(u: Self::Vector, course: Course<'_>) -> [Self::Vector; 4];
 

@@ -62,8 +62,9 @@ impl Describer {
         self.text.is_some()
     }
 
-    /// Returns the names in the text whose definitions the file cannot contain. The list is empty
-    /// if there is no text.
+    /// Returns the names in the text whose definitions the file cannot contain.
+    ///
+    /// The list is empty if the constraint has no text.
     pub fn lacking(&self) -> &[String] {
         if self.text.is_some() { &self.lacking } else { &[] }
     }

@@ -1,8 +1,8 @@
-//! The dual route: evaluates the user's equation with dual numbers.
+//! Evaluates the user's equation with dual numbers: the dual route.
 //!
-//! `Dual64` along each column gives C_q, and along t C_t. `Dual2_64` along (q̇, ṫ) gives the whole
-//! right side −g″(0). `HyperDual64` along q̇ and t gives the mixed term C_qt q̇. `Dual3_64` along
-//! the motion gives the right side for the jerk.
+//! `Dual64` along each column gives C_q, and `Dual64` along t gives C_t. `Dual2_64` along (q̇, ṫ)
+//! gives the right side −g″(0). `HyperDual64` along q̇ and t gives the mixed term C_qt q̇.
+//! `Dual3_64` along the motion gives the right side for the jerk.
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
@@ -30,8 +30,9 @@ pub trait Equation<const N: usize, const M: usize>: Constraint + Clone + 'static
         Real::from(f64::NAN)
     }
 
-    /// Evaluates C(q, t) in `f64` by the function as the user wrote it. Central differences use it
-    /// as a reference.
+    /// Evaluates C(q, t) in `f64` by the function as the user wrote it.
+    ///
+    /// Central differences use this function as a reference.
     fn plain(&self, q: &[f64; N], t: f64) -> [f64; M];
 }
 
@@ -57,11 +58,11 @@ impl ArgumentKind {
     }
 }
 
-/// A constraint that takes the dual route, whatever route its `impl Constraint` takes.
+/// A constraint that takes the dual route, independently of the route of its `impl Constraint`.
 #[derive(Clone, Debug)]
 pub struct ByDual<E, const N: usize, const M: usize>(E);
 
-/// Returns the constraint on the dual route, to check one route against the other.
+/// Returns the constraint on the dual route, to check the symbolic route against the dual route.
 pub fn by_dual<E: Equation<N, M>, const N: usize, const M: usize>(equation: E) -> ByDual<E, N, M> {
     ByDual(equation)
 }
@@ -199,7 +200,9 @@ pub fn mixed<E: Equation<N, M>, const N: usize, const M: usize>(
 }
 
 /// Evaluates −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s) by one `Dual3_64` evaluation.
-/// \[row/s³\] The result is always known.
+/// \[row/s³\]
+///
+/// The function always returns a result, because every equation works with dual numbers.
 pub fn jerk_rhs<E: Equation<N, M>, const N: usize, const M: usize>(
     equation: &E,
     at: &At<'_>,

@@ -1,4 +1,4 @@
-//! Forces that grow without bound near a singular position.
+//! Describes forces that grow without bound near a singular position.
 
 use std::fmt;
 
@@ -12,7 +12,7 @@ use crate::model::words;
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Growth {
-    /// The constraint; for a driver it is the effort that grows.
+    /// The name of the constraint. If the constraint is a driver, its effort grows.
     pub constraint: String,
     /// The time t* of the singular position.   \[s\]
     pub t: f64,

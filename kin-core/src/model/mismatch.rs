@@ -27,19 +27,19 @@ pub struct Mismatch {
     pub t: f64,
 }
 
-/// One number of a term, by all routes.
+/// One number of a term, computed by all routes.
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub struct Disagreement {
     /// The name of the number, such as `C_q[x, crank.theta]`.
     pub name: String,
-    /// The value that the constraint returns.
+    /// The value from the route of the constraint.
     pub own: f64,
     /// The value from dual numbers.
     pub dual: f64,
     /// The value from central differences, for C, C_q, C_t and Q_d; `None` for other terms.
     pub central: Option<f64>,
-    /// The difference of the first two values, relative to 1 + the largest entry of the term.
+    /// The difference of `own` and `dual`, relative to 1 + the largest entry of the term.
     pub difference: f64,
 }
 

@@ -13,7 +13,7 @@ use crate::model::words;
 )]
 #[non_exhaustive]
 pub struct NotUnique {
-    /// The constraint, or the sum of several.
+    /// The constraint, or the sum of several constraints.
     pub constraint: String,
     /// The component, such as `F_z on `door``.
     pub what: String,

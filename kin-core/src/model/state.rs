@@ -1,5 +1,6 @@
-//! The state of a constraint's arguments at one instant. Kin evaluates it once and shares it among
-//! all constraints on a body.
+//! Holds the state of a constraint's arguments at one instant.
+//!
+//! Kin computes the state of a body once and shares it among all constraints on the body.
 
 use crate::model::coordinates::Trig;
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
@@ -13,7 +14,7 @@ pub use crate::numbers::Offsets;
 pub struct PlanarState<T = f64> {
     /// R, the origin of the body frame in the global frame.   \[m\]
     pub r: Vec2<T>,
-    /// θ, counter-clockwise from the global x-axis, never wrapped.   \[rad\]
+    /// θ, counter-clockwise from the global x-axis. The angle counts full revolutions. \[rad\]
     pub theta: T,
     /// sin θ
     pub sin: T,
@@ -35,7 +36,8 @@ impl<T: Scalar> PlanarState<T> {
         PlanarState { r: Vec2::new(zero, zero), theta: zero, sin: zero, cos: one }
     }
 
-    /// Returns A = [cos θ, −sin θ; sin θ, cos θ], body to global (lecture, "Transformation 2").
+    /// Returns the rotation matrix A = [cos θ, −sin θ; sin θ, cos θ] from the body frame to the
+    /// global frame.
     pub fn a(&self) -> Mat2<T> {
         Mat2::new(self.cos, -self.sin, self.sin, self.cos)
     }
@@ -66,7 +68,8 @@ pub struct SpatialState<T = f64> {
     pub r: Vec3<T>,
     /// Euler parameters p = (e0, e), scalar first.
     pub p: EulerParameters<T>,
-    /// A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global.
+    /// The rotation matrix A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ from the body frame to the global
+    /// frame.
     pub a: Mat3<T>,
 }
 
@@ -84,7 +87,7 @@ impl<T: Scalar> SpatialState<T> {
         Self::new([zero, zero, zero, one, zero, zero, zero])
     }
 
-    /// Returns A(p), body to global.
+    /// Returns the rotation matrix A(p) from the body frame to the global frame.
     pub fn a(&self) -> Mat3<T> {
         self.a
     }
@@ -105,20 +108,22 @@ impl<T: Scalar> SpatialState<T> {
     }
 }
 
-/// The state of a scalar coordinate, with sine and cosine only if a constraint reads them. \[m or
-/// rad\]
+/// The state of a scalar coordinate. \[m or rad\]
+///
+/// The state contains sine and cosine only if a constraint reads them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoordState {
     /// The value of the coordinate.
     pub value: f64,
-    /// sin of the value if a constraint reads it, otherwise 0.
+    /// The sine of the value if a constraint reads the sine, otherwise 0.
     pub sin: f64,
-    /// cos of the value if a constraint reads it, otherwise 0.
+    /// The cosine of the value if a constraint reads the cosine, otherwise 0.
     pub cos: f64,
 }
 
 impl CoordState {
-    /// Creates the state at `value`, with sine and cosine if they are used.
+    /// Creates the state at `value`, with sine and cosine if `trig` says that a constraint reads
+    /// them.
     pub fn new(value: f64, trig: Trig) -> Self {
         let (sin, cos) = if trig == Trig::Used { value.sin_cos() } else { (0.0, 0.0) };
         CoordState { value, sin, cos }
@@ -162,8 +167,10 @@ impl PlanarState {
 }
 
 impl SpatialState {
-    /// Returns (R, e0..e3), the layout that a constraint reads. A is not included, because
-    /// computing the needed parts from p is cheaper.
+    /// Returns (R, e0..e3), the layout that a constraint reads.
+    ///
+    /// The array does not contain A, because a constraint computes the needed parts of A faster
+    /// from p.
     pub fn to_array(&self) -> [f64; SPATIAL_STATE] {
         let r = self.r;
         let p = self.p;
@@ -180,8 +187,9 @@ impl CoordState {
 
 /// The instant at which a constraint is evaluated: the time and the states of its arguments.
 ///
-/// Kin evaluates states once for each iterate. All constraints on a body and all their terms share
-/// them. Arguments count by their position in the signature; a `[Coord; N]` counts as N arguments.
+/// Kin computes the states once for each Newton iterate. All constraints on a body and all terms of
+/// the constraints share the state of the body. The index of an argument is its position in the
+/// signature; a `[Coord; N]` counts as N arguments.
 #[derive(Clone, Copy, Debug)]
 pub struct At<'a> {
     /// The time t. \[s\]
@@ -192,15 +200,18 @@ pub struct At<'a> {
 }
 
 impl<'a> At<'a> {
-    /// Creates the instant from the time, the states of all bodies ([`PlanarState::to_array`] and
-    /// similar) and the place of each argument in them.
+    /// Creates the instant from the time, the states of all bodies, and the place of each argument
+    /// in the states.
+    ///
+    /// [`PlanarState::to_array`] and its spatial and scalar variants give the layout of a state.
     #[inline]
     pub fn new(t: f64, states: &'a [f64], arguments: &'a [Offsets]) -> Self {
         At { t, states, arguments, timed: &[] }
     }
 
-    /// Adds the numbers that [`crate::Constraint::at_time`] has computed from the time. Without
-    /// them constraints compute these numbers themselves.
+    /// Adds the numbers that [`crate::Constraint::at_time`] has computed from the time.
+    ///
+    /// If `timed` is missing, constraints compute the numbers themselves.
     #[must_use]
     #[inline]
     pub fn with_timed(self, timed: &'a [f64]) -> Self {
@@ -269,7 +280,8 @@ pub struct Rates<'a> {
 }
 
 impl<'a> Rates<'a> {
-    /// Creates them from the derivatives of all coordinates and the place of each argument in them.
+    /// Creates the value from the derivatives of all coordinates and the place of each argument in
+    /// this list.
     #[inline]
     pub fn new(rates: &'a [f64], arguments: &'a [Offsets]) -> Self {
         Rates { rates, arguments }

@@ -1,4 +1,4 @@
-//! Every term of one constraint at one state, by name, to compare routes with each other or with a
+//! Computes every term of one constraint at one state, to compare routes with each other or with a
 //! derivation by hand.
 
 use nalgebra::{DMatrix, DVector};
@@ -40,10 +40,10 @@ impl Terms {
 /// Returns every term of `constraint` at local coordinates `q`, velocities `qd` and time `t`, on
 /// the route of the constraint.
 ///
-/// The terms come from r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]. −r(q̇, 0) is the
-/// first term and −r(0, 1) the last. The mixed term is the remainder of r(q̇, 1), exact to rounding
-/// of the largest of the three. `q` and `qd` contain the coordinates of the arguments in order;
-/// missing numbers count as zero.
+/// Kin computes the terms from r(q̇, ṫ) = −\[(C_q q̇)_q q̇ + 2 ṫ C_qt q̇ + ṫ² C_tt\]. The first
+/// term is −r(q̇, 0) and the last term is −r(0, 1). The mixed term is the remainder of r(q̇, 1);
+/// its error is the rounding error of the largest of the three terms. `q` and `qd` contain the
+/// coordinates and velocities of the arguments in order. Kin takes zero for a missing number.
 pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Terms {
     let arguments = constraint.arguments();
     let facts = constraint.facts();
@@ -79,8 +79,8 @@ pub fn terms(constraint: &dyn Constraint, q: &[f64], qd: &[f64], t: f64) -> Term
     Terms { c, c_q, c_t, c_qqd_qd, c_qt_qd, c_tt, q_d }
 }
 
-/// Returns every term on the dual route, each by its kind of dual number: the mixed term by
-/// `HyperDual64`.
+/// Returns every term on the dual route, each from the matching kind of dual number, such as
+/// `HyperDual64` for the mixed term.
 pub fn dual_terms<E, const N: usize, const M: usize>(
     equation: &E,
     q: &[f64],
@@ -100,7 +100,7 @@ where
 /// Returns −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), the right side of C_q q⃛ for the jerk.
 /// \[row/s³\]
 ///
-/// Returns `None` if the constraint does not know it.
+/// Returns `None` if the constraint does not know its right side.
 pub fn jerk_rhs(
     constraint: &dyn Constraint,
     q: &[f64],
@@ -118,7 +118,9 @@ pub fn jerk_rhs(
 }
 
 /// The coordinates of one constraint and their derivatives at one time of a motion, argument after
-/// argument. Missing numbers count as zero.
+/// argument.
+///
+/// Kin takes zero for a missing number.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Moving<'a> {
     /// q   \[m, rad\]

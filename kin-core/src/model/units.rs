@@ -1,4 +1,4 @@
-//! The names of the units of length, time and mass in files, pages and messages.
+//! Names the units of length, time and mass in files, pages and messages.
 
 use std::sync::Arc;
 
@@ -70,7 +70,7 @@ impl Default for Units {
 }
 
 impl Units {
-    /// Creates the names, without surrounding blanks.
+    /// Creates the names of the units of length and time and removes surrounding blanks.
     pub fn new(length: &str, time: &str) -> Units {
         let length = length.trim().to_string();
         let time = time.trim().to_string();
@@ -100,8 +100,9 @@ impl Units {
 
     /// Returns the unit of force, such as `N`.
     ///
-    /// It is `mN` for millimetre, second and kilogram, and `N` for millimetre, second and tonne.
-    /// For unknown names it is `MASS LENGTH/TIME^2`.
+    /// The unit of force is `mN` for millimetre, second and kilogram, and `N` for millimetre,
+    /// second and tonne. If Kin does not know the names of the units, it returns
+    /// `MASS LENGTH/TIME^2`.
     pub fn force(&self) -> String {
         self.newtons()
             .unwrap_or_else(|| format!("{} {}/{}^2", self.mass(), self.length(), self.time()))
@@ -117,14 +118,16 @@ impl Units {
 
     /// Returns the unit of energy, such as `J` or `kJ`.
     ///
-    /// It is `mJ` for millimetre, second and tonne. For unknown names it is the unit of torque.
+    /// The unit of energy is `mJ` for millimetre, second and tonne. If Kin does not know the names
+    /// of the units, it returns the unit of torque.
     pub fn energy(&self) -> String {
         self.prefixed([1, 2, -2], "J").unwrap_or_else(|| self.torque())
     }
 
     /// Returns the unit of power, such as `W` or `kW`.
     ///
-    /// It is `mW` for millimetre, second and tonne. For unknown names it is `MASS LENGTH^2/TIME^3`.
+    /// The unit of power is `mW` for millimetre, second and tonne. If Kin does not know the names
+    /// of the units, it returns `MASS LENGTH^2/TIME^3`.
     pub fn power(&self) -> String {
         self.prefixed([1, 2, -3], "W")
             .unwrap_or_else(|| format!("{} {}^2/{}^3", self.mass(), self.length(), self.time()))

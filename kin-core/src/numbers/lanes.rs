@@ -1,8 +1,8 @@
-//! Numbers over the lanes of SIMD registers: one operation computes several times of a run.
+//! Defines numbers over the lanes of SIMD registers: one operation computes several times of a run.
 //!
-//! The crate `pulp` finds out at run time which registers the machine has (AVX-512: 8 lanes, AVX2
-//! with FMA: 4, Neon: 2) and contains the unsafe code: a token of `pulp` exists only where the
-//! machine has the instructions. The code here is generic over the token.
+//! The crate `pulp` detects the registers of the machine at run time (AVX-512: 8 lanes, AVX2 with
+//! FMA: 4, Neon: 2) and contains the unsafe code. A token of `pulp` exists only if the machine has
+//! the instructions. The code of this module is generic over the token.
 
 pub(crate) mod lanewise;
 mod level;
@@ -22,18 +22,18 @@ const VARIABLE: &str = "KIN_LANES";
 /// the lanes of one register.
 const VALUES: [(&str, usize); 4] = [("16", 8), ("8", 4), ("4", 2), ("off", 0)];
 
-/// The registers in which a program computes many times of a run, or of each case of a sweep, at
+/// The SIMD registers in which a compiled program computes many times of a run or of a case at
 /// once.
 ///
 /// A program uses two registers. The environment variable `KIN_LANES` limits the registers, for
-/// tests that need the results of another machine: `16`, `8` or `4` times at once at most, or
-/// `off`. Any other value is an error of the run.
+/// tests that need the results of another machine. The value `16`, `8` or `4` is the largest number
+/// of times at once; `off` disables programs. With any other value the run returns an error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Lanes {
     /// The widest registers of the machine.
     #[default]
     Best,
-    /// No registers: plain steps, one time after the other.
+    /// No registers: the step-by-step solver computes one time after the other.
     Off,
     /// Registers with this number of lanes: 8 (AVX-512), 4 (AVX2 with FMA) or 2 (Neon, or half
     /// registers of AVX2).

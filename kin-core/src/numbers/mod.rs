@@ -1,5 +1,7 @@
-//! Numbers: vectors and matrices, numbers that carry derivatives, lanes of SIMD registers, padded
-//! vectors, bounds. No module here knows mechanisms.
+//! Defines vectors and matrices, numbers that carry derivatives, lanes of SIMD registers, padded
+//! vectors, and bounds.
+//!
+//! No module in this folder knows mechanisms.
 
 pub mod algebra;
 pub(crate) mod enclosure;

@@ -1,17 +1,17 @@
-//! The positions at which the numbers of an argument begin.
+//! Defines the positions at which the numbers of an argument begin.
 
-/// The positions at which the state and the rates of one argument of a constraint begin, among
-/// those of all arguments.
+/// The positions at which the state and the velocities of one argument of a constraint begin, in
+/// the lists of all arguments.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Offsets {
-    /// Index of the first number of the state.
+    /// The index of the first number of the state.
     pub state: u32,
-    /// Index of the first rate.
+    /// The index of the first velocity.
     pub rates: u32,
 }
 
 impl Offsets {
-    /// Makes the offsets of an argument.
+    /// Creates the offsets of an argument.
     pub const fn new(state: u32, rates: u32) -> Self {
         Offsets { state, rates }
     }

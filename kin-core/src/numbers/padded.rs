@@ -1,5 +1,7 @@
-//! Vectors in groups of four, and the few loops over them that every step uses. No loop has a
-//! remainder, which would cost a short vector more time than the work itself.
+//! Stores vectors in groups of four, and implements the loops over vectors that every step uses.
+//!
+//! No loop has a remainder, because for a short vector a remainder takes more time than the work
+//! itself.
 
 use std::ops::{Deref, DerefMut};
 

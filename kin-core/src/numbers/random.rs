@@ -1,5 +1,6 @@
-//! Random numbers that depend only on the seed, on every machine: for starts of searches, poses
-//! near a pose, and random systems in tests.
+//! Generates random numbers that depend only on the seed, and not on the machine.
+//!
+//! Kin uses these numbers for starts of searches, poses near a pose, and random systems in tests.
 
 /// The generator SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, Fast splittable pseudorandom number
 /// generators, OOPSLA 2014).

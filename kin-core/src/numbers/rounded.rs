@@ -1,4 +1,4 @@
-//! Numbers with a bound of their rounding error.
+//! Defines numbers with a bound of their rounding error.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

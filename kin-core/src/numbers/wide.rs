@@ -1,5 +1,5 @@
-//! Numbers with a separate exponent, for intermediate results that are too large or too small for
-//! an f64.
+//! Defines numbers with a separate exponent, for intermediate results that are too large or too
+//! small for an f64.
 
 use std::f64::consts::{LN_2, LOG2_E};
 use std::ops::{Add, Div, Mul, Neg, Sub};

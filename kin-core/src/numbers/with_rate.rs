@@ -1,5 +1,7 @@
-//! Numbers of any kind with a derivative with respect to time, by the rules of the list of
-//! functions. A nested number has derivatives of higher order.
+//! Adds a derivative with respect to time to numbers of any kind, by the rules of the list of
+//! functions.
+//!
+//! A nested number has derivatives of higher order.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -1,10 +1,11 @@
-//! Tapes along a motion whose q, q̇ and q̈ are known. Nothing is iterated. C_q is eliminated in an
-//! order that is chosen at the first time; the requested results are outputs.
+//! Builds tapes along a motion whose q, q̇ and q̈ are known, so that the tape needs no iteration.
+//!
+//! Kin eliminates C_q in an order that it chooses at the first time. The requested results are
+//! outputs of the tape.
 //!
 //! The graphs read time, coordinates as [`Input::State`], velocities as [`Input::Rate`], and
-//! accelerations as [`Input::Parameter`], because nothing is differentiated by accelerations. A
-//! time at which a pivot is small relative to its value at the first time is returned to the
-//! caller.
+//! accelerations as [`Input::Parameter`], because Kin does not differentiate by accelerations. The
+//! tape returns a time to the caller if a pivot is small relative to its value at the first time.
 
 use kin_graph::{Graph, Input, LeafUse, Node, Source};
 

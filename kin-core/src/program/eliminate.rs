@@ -1,9 +1,11 @@
-//! Solves C_q x = b as nodes. First the rows that determine a coordinate are eliminated, from the
-//! last one to the first. Then the remaining blocks are solved one after the other.
+//! Solves C_q x = b as nodes.
 //!
-//! A block of up to three rows is solved by cofactors. Its determinant is both guard and
-//! orientation, and no order of pivots can fail. For a larger block pivots are chosen by Markowitz'
-//! count among those that are large at the guess, until two rows remain.
+//! First Kin eliminates the rows that determine a coordinate, from the last row to the first. Then
+//! Kin solves the remaining blocks one after the other.
+//!
+//! Kin solves a block of up to three rows by cofactors. The determinant of such a block is both
+//! guard and orientation, and no order of pivots can fail. For a larger block Kin chooses pivots by
+//! Markowitz' count among the entries that are large at the guess, until two rows remain.
 
 use std::collections::BTreeMap;
 

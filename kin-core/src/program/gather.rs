@@ -1,5 +1,7 @@
-//! Gathers all equations of a system in one graph. Coordinates are those of the system, constant
-//! parameters are folded, and equal expressions of different constraints share a node.
+//! Gathers all equations of a system in one graph.
+//!
+//! The graph uses the coordinates of the system, folds constant parameters, and shares a node
+//! between equal expressions of different constraints.
 
 mod free;
 mod timed;

@@ -1,9 +1,8 @@
-//! The equation of one kind of constraint with its derivatives. They are computed once for all
-//! constraints of the kind.
+//! Differentiates the equation of one kind of constraint, once for all constraints of the kind.
 //!
 //! Coordinates are [`Input::State`] of the local column with the part R(0), and velocities
-//! [`Input::Rate`] in the same way. For the passes of `kin_graph` each of them is a separate
-//! argument.
+//! [`Input::Rate`] in the same way. For the passes of `kin_graph` each coordinate and each velocity
+//! is a separate argument.
 
 use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::schedule::looked_up;

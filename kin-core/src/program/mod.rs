@@ -1,4 +1,4 @@
-//! A whole mechanism as one program: all equations in one graph, with explicit coordinates
+//! Compiles a whole mechanism to one program: all equations in one graph, with explicit coordinates
 //! substituted and the rest eliminated, as straight-line stages.
 //!
 //! The passes are pure, one in each file, in this order:
@@ -10,8 +10,8 @@
 //! 4. `eliminate` solves the linear systems of the rest.
 //! 5. `stages` builds the stages, and `schedule` converts them to a tape.
 //!
-//! `replay` runs a tape over any number. `newton` solves with it: many times of one run in lanes
-//! (`times`), or one time (`alone`). `along` makes tapes of results along a known motion.
+//! `replay` runs a tape over any type of number. `newton` solves with a tape: many times of one run
+//! in lanes (`times`), or one time (`alone`). `along` makes tapes of results along a known motion.
 
 mod along;
 mod blocks;

@@ -1,4 +1,5 @@
-//! Faults that a generator of code could make. Tests check that a run detects them.
+//! Plants faults that a generator of code could make, so that tests can check that a run detects
+//! the faults.
 
 pub(crate) mod passes;
 

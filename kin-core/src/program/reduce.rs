@@ -1,4 +1,4 @@
-//! The graph after substitution: coordinates are nodes of torn coordinates and time.
+//! Builds the graph after substitution: coordinates are nodes of torn coordinates and time.
 
 use kin_graph::{Graph, Input, Node, Op};
 

@@ -1,9 +1,9 @@
-//! The program: everything that a step computes, as nodes of one graph of time and torn
-//! coordinates.
+//! Builds the program: all results of a step, as nodes of one graph of time and torn coordinates.
 //!
-//! `time` contains everything that depends on time alone. `correct` computes the next iterate of
-//! the torn coordinates. `rates` computes all coordinates with q̇ and q̈. `verify` is C as it was
-//! written, at the coordinates that were found; no term of it can cancel against their computation.
+//! The stage `time` contains all nodes that depend on time alone. The stage `correct` computes the
+//! next iterate of the torn coordinates. The stage `rates` computes all coordinates with q̇ and q̈.
+//! The stage `verify` computes C as the user wrote it, at the found coordinates; no term of this C
+//! can cancel against the computation of the coordinates.
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Function, Graph, Input, LeafUse, Node, Source, evaluate};

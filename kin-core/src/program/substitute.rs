@@ -1,5 +1,8 @@
 //! Finds the coordinates that a row determines: q_j = −rest/c, if the row is c q_j + rest with a
-//! constant c. The others are torn: Newton's method computes them from the remaining rows.
+//! constant c.
+//!
+//! The other coordinates are *torn*: Newton's method computes the torn coordinates from the
+//! remaining rows.
 
 use std::collections::{BTreeSet, HashSet};
 

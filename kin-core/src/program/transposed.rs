@@ -1,5 +1,5 @@
-//! Solves C_qᵀ λ = b as nodes with the same elimination: U and L exchange places, and the order is
-//! reversed.
+//! Solves C_qᵀ λ = b as nodes with the elimination of C_q: U and L exchange places, and the order
+//! is reversed.
 
 use kin_graph::{Graph, Node};
 

@@ -1,5 +1,5 @@
-//! A mechanism as one compiled program: the coordinates that its rows determine, those that remain
-//! for Newton's method, and its size.
+//! Describes the compiled program of a mechanism: the coordinates that rows determine, the
+//! coordinates that remain for Newton's method, and the size of the program.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use super::newton::{Newton, SolverOptions, compiled, first_position};
 use crate::model::error::Result;
 use crate::system::System;
 
-/// The program of a mechanism, which [`crate::Engine::Compiled`] runs.
+/// The compiled program of a mechanism, which [`crate::Engine::Compiled`] runs.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -30,15 +30,18 @@ pub struct Compiled {
 }
 
 impl System {
-    /// Compiles all equations to one program and returns its description. The elimination is chosen
-    /// at the position of t = 0.
+    /// Compiles all equations to one program and returns its description.
     ///
-    /// The system keeps the program until anything in it is set. Runs of at least 32 times that
-    /// begin at this position use it. [`System::solve_at`] uses it for positions near a known one,
-    /// unless [`crate::SolverOptions::engine`] is [`crate::Engine::StepByStep`]. A loop that
-    /// computes one position after the other, such as a controller, should begin with this call.
+    /// Kin chooses the order of elimination at the position of t = 0.
     ///
-    /// Errors: the obstacle, with the name of its constraint; no position at t = 0.
+    /// The system keeps the program until you set a value of the system. Runs of at least 32 times
+    /// that begin at the position of t = 0 use the program. [`System::solve_at`] uses the program
+    /// for positions near a known position, unless [`crate::SolverOptions::engine`] is
+    /// [`crate::Engine::StepByStep`]. Call this method before a loop that computes one position
+    /// after the other, such as a controller.
+    ///
+    /// Errors: Kin cannot compile a constraint (the error names the constraint and the reason); the
+    /// mechanism has no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
         let options = SolverOptions::default();
         compiled::can_be(self).map_err(|refusal| compiled::refused(&refusal))?;
@@ -64,8 +67,7 @@ impl System {
 }
 
 impl Compiled {
-    /// Returns the coordinates that a row determines from the coordinates before it. They need no
-    /// iteration.
+    /// Returns the coordinates that a row determines from earlier coordinates, without iteration.
     pub fn substituted(&self) -> &[String] {
         &self.substituted
     }
@@ -75,19 +77,21 @@ impl Compiled {
         &self.unknowns
     }
 
-    /// Returns the number of coordinates of each block. A block is solved together; blocks follow
-    /// one another.
+    /// Returns the number of coordinates of each block.
+    ///
+    /// The program solves the coordinates of a block together, and the blocks one after the other.
     pub fn blocks(&self) -> &[usize] {
         &self.blocks
     }
 
-    /// Returns the number of steps of the program. A step is an operation, or a function, on many
-    /// times at once.
+    /// Returns the number of steps of the program.
+    ///
+    /// A step is one operation or function on many times at once.
     pub fn steps(&self) -> usize {
         self.size[0]
     }
 
-    /// Returns a summary in a few lines.
+    /// Returns a summary of the program in a few lines.
     pub fn summary(&self) -> String {
         let given = self.substituted.len();
         let left = self.unknowns.len();

@@ -1,4 +1,6 @@
-//! Functions that explain a failed run. The diagnosis is in a higher room, so solvers receive it as
+//! Holds the functions that explain a failed run.
+//!
+//! The diagnosis is in a module above the solvers, so the solvers receive the diagnosis as
 //! functions.
 
 use crate::model::error::Error;
@@ -20,7 +22,7 @@ pub(crate) enum Start<'a> {
 pub(crate) struct Explain {
     /// Returns the error of a mechanism that cannot be driven at a time, with its diagnosis.
     pub cannot_be_driven: fn(Model<'_>, Start<'_>, f64, &SolverOptions) -> Error,
-    /// Adds to an error of a run what is wrong with the mechanism at that time, if the system is
-    /// small enough.
+    /// Adds a diagnosis of the mechanism at the time of the failure to an error of a run, if the
+    /// system is small enough.
     pub explained: fn(Error, &System, &SolverOptions) -> Error,
 }

@@ -1,5 +1,5 @@
-//! Positions, velocities and accelerations: Newton's method, runs that stay on their branch,
-//! assembly from poor guesses, sweeps, and motions.
+//! Computes positions, velocities and accelerations: Newton's method, runs that stay on their
+//! branch, assembly from poor guesses, sweeps, and motions.
 
 #[macro_use]
 mod setters;

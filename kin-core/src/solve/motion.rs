@@ -1,5 +1,5 @@
-//! Results of a run: position, velocity and acceleration over time, with names and units, and
-//! quantities derived from them.
+//! Returns the results of a run: position, velocity and acceleration over time, with names and
+//! units, and derived quantities.
 
 pub(crate) mod csv;
 mod distance;
@@ -105,8 +105,8 @@ impl Motion {
         self.worst = worst;
     }
 
-    /// Returns one coordinate over time with its derivatives: a scalar coordinate, or one of a body
-    /// such as `crank.theta()`.
+    /// Returns one coordinate over time with its derivatives: a scalar coordinate, or a coordinate
+    /// of a body such as `crank.theta()`.
     ///
     /// Coordinates of the ground are constant.
     ///
@@ -151,7 +151,7 @@ impl Motion {
 
     /// Returns the coordinate with this name, such as `crank.theta`, over time.
     ///
-    /// Errors: there is no such coordinate.
+    /// Errors: no coordinate has the name.
     pub fn named(&self, name: &str) -> Result<Quantity> {
         match self.layout.names.iter().position(|known| known == name) {
             Some(column) => Ok(self.column(column)),
@@ -175,7 +175,7 @@ impl Motion {
         )
     }
 
-    /// Adds a derived quantity to the file, with one value for each time.
+    /// Adds a derived quantity to the motion and its files, with one value for each time.
     ///
     /// Errors: the number of values is wrong, a value is not finite, the name is empty or taken.
     pub fn add_output(&mut self, name: &str, unit: &str, values: Vec<f64>) -> Result<()> {
@@ -206,7 +206,8 @@ impl Motion {
         Ok(())
     }
 
-    /// Adds r, v and a of a point of a body to the file, as `NAME.x`, `NAME.y`, `NAME.x'`, ….
+    /// Adds the position, velocity and acceleration of a point of a body to the motion, as the
+    /// columns `NAME.x`, `NAME.y`, `NAME.x'`, ….
     ///
     /// Errors: the body belongs to another mechanism, the name is empty or taken.
     pub fn add_point<B: Body>(

@@ -1,8 +1,9 @@
-//! Newton's method on C(q, t) = 0, and q̇, q̈ from the matrix of its last check.
+//! Solves C(q, t) = 0 by Newton's method, and q̇ and q̈ with the matrix of the last convergence
+//! check.
 //!
-//! One iteration (`iterate`) serves single positions and redundant mechanisms (`redundant`). One
-//! loop (`advance`) makes the smaller steps of time. `compiled` computes many times at once with a
-//! program.
+//! The module `iterate` contains one iteration for single positions and for redundant mechanisms
+//! (`redundant`). The loop of `advance` makes the smaller steps of time. The module `compiled`
+//! computes many times at once with a program.
 
 mod advance;
 pub(crate) mod compiled;

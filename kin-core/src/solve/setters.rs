@@ -1,4 +1,4 @@
-//! Setters of options.
+//! Defines the setters of options.
 
 /// Writes a method for each field that sets it and returns the options.
 macro_rules! setters {

@@ -1,5 +1,8 @@
-//! Many cases of one system: other parameters and initial values in each, spread over the cores of
-//! the machine, by one program in which they are left free.
+//! Runs many cases of one system, with different parameters and initial values, on all cores of the
+//! machine.
+//!
+//! One compiled program computes all cases: the numbers that differ between cases are inputs of the
+//! program.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -21,7 +24,7 @@ const BATCH: usize = 16;
 /// Threads of a sweep at most.
 const THREADS: usize = 256;
 
-/// Many cases of one [`System`]: one row of numbers a case, one number for each name.
+/// Many cases of one [`System`]. Each case is a row of numbers, one number for each name.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -46,15 +49,16 @@ const THREADS: usize = 256;
 /// # }
 /// ```
 ///
-/// Results come in the order of the cases and do not depend on the number of threads. The sweep
-/// keeps only what the closure returns, so memory grows with the results alone.
+/// The results are in the order of the cases and do not depend on the number of threads. The sweep
+/// stores only the results of the closure, so memory does not grow with the motions.
 ///
-/// One program of the whole mechanism computes all cases, where it is possible and faster
-/// ([`Engine`](crate::Engine)). The named values stay free in the program. It computes many times
-/// of a case at once, in two SIMD registers (16 times with AVX-512). Kin compiles the program at
-/// the first position of the system as it is. If that cannot be assembled, Kin takes the first case
-/// that can; only then results depend on the list of cases, within the tolerance of the stop rule.
-/// The motion of a case has the events of a run of that case: limits of joints, kinks.
+/// If possible and faster, one compiled program of the whole mechanism computes all cases
+/// ([`Engine`](crate::Engine)). The named values are inputs of the program. The program computes
+/// many times of a case at once, in two SIMD registers (16 times with AVX-512). Kin compiles the
+/// program at the first position of the system with its present values. If the system cannot be
+/// assembled with these values, Kin compiles the program at the first case that can be assembled.
+/// Only then do the results depend on the list of cases, within the tolerance of the stop rule. The
+/// motion of a case has the same events as a run of this case, such as limits of joints and kinks.
 pub struct Sweep<'a> {
     system: &'a System,
     names: Vec<String>,
@@ -100,32 +104,37 @@ impl<'a> Sweep<'a> {
         })
     }
 
-    /// Sets the options; without this call they are [`SolverOptions::default`].
+    /// Sets the options of all cases. The default is [`SolverOptions::default`].
     #[must_use]
     pub fn options(mut self, options: SolverOptions) -> Self {
         self.options = options;
         self
     }
 
-    /// Sets the lanes in which a program computes the times of a case; [`Lanes::Off`] turns
-    /// programs off.
+    /// Sets the SIMD lanes in which a program computes the times of a case; [`Lanes::Off`] disables
+    /// programs.
     #[must_use]
     pub fn lanes(mut self, lanes: Lanes) -> Self {
         self.lanes = lanes;
         self
     }
 
-    /// Runs on this many separate threads, at most 256 and no more than there are cases for.
-    /// Without this call the sweep uses the threads of rayon: one a core, or those of the pool that
-    /// calls it.
+    /// Sets the number of separate threads of the sweep, at most 256 and at most the number of
+    /// cases.
+    ///
+    /// By default the sweep uses the threads of rayon: one thread for each core, or the threads of
+    /// the pool that calls the sweep.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {
         self.threads = Some(threads.max(1));
         self
     }
 
-    /// Calls `progress` with the number of cases done and of all cases: at the start with 0, then
-    /// every few cases. One thread at a time calls it, and the number never decreases.
+    /// Calls `progress` during the sweep with the number of finished cases and the number of all
+    /// cases.
+    ///
+    /// The first call has the number 0; then a call follows after every few cases. Only one thread
+    /// at a time calls `progress`, and the number never decreases.
     #[must_use]
     pub fn progress(mut self, progress: impl FnMut(usize, usize) + Send + 'a) -> Self {
         self.progress = Mutex::new(Some(Box::new(progress)));
@@ -141,13 +150,20 @@ impl<'a> Sweep<'a> {
 
     /// Runs every case over the times, and returns the results of `keep` in the order of the cases.
     ///
-    /// Several threads call `keep` at once, with the number of a case and its motion, or with the
-    /// error that ended the case. [`Error::motion`] contains the motion before the error. The error
-    /// has a diagnosis only if [`Sweep::diagnose`] requests it.
+    /// Several threads call `keep` at the same time, with the index of a case and its motion, or
+    /// with the error that ended the case. [`Error::motion`] contains the motion before the error.
+    /// The error has a diagnosis only if [`Sweep::diagnose`] requests a diagnosis.
     ///
-    /// Errors of the sweep as a whole, before anything is computed: a case of the wrong length, a
-    /// number that is not finite, times that do not only increase or only decrease, options out of
-    /// range, motions under way that take too much memory; and [`Error::Stopped`].
+    /// Errors of the whole sweep:
+    ///
+    /// * A case has the wrong length.
+    /// * A number is not finite.
+    /// * The times do not only increase or only decrease.
+    /// * An option is out of its range.
+    /// * The motions that the threads compute at the same time need too much memory.
+    /// * The flag of [`Sweep::stop_when`] stopped the sweep ([`Error::Stopped`]).
+    ///
+    /// Except for the last error, Kin finds these errors before it computes a case.
     pub fn run<R: Send>(
         &self,
         cases: &[impl AsRef<[f64]> + Sync],

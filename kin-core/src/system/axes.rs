@@ -1,6 +1,7 @@
-//! Axes whose components are set one by one. A constraint stores unit vectors; this module stores
-//! the directions as they were given. An axis therefore does not depend on the order in which its
-//! components were set, nor on their earlier values.
+//! Stores axes whose components a program sets one by one.
+//!
+//! A constraint stores unit vectors, but this module stores the directions as the user gave them.
+//! So an axis does not depend on the order of the set components, nor on their earlier values.
 
 use super::System;
 use crate::model::describer::Describer;

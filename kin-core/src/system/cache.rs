@@ -1,5 +1,5 @@
-//! Values that other rooms derive from a system once and keep with it, until something in the
-//! system is set.
+//! Stores values that other modules derive from a system once, until the user sets a value of the
+//! system.
 
 use std::any::Any;
 use std::sync::{Arc, Mutex, PoisonError};

@@ -1,4 +1,5 @@
-//! Named dimensions of a system: their values, and the numbers that depend on them.
+//! Handles the named dimensions of a system: their values, and the numbers that depend on
+//! dimensions.
 
 use std::sync::Arc;
 

@@ -1,5 +1,7 @@
-//! Evaluates a whole system. The states are computed once for each iterate; then each constraint
-//! writes its block of rows and values.
+//! Evaluates a whole system.
+//!
+//! Kin computes the states once for each iterate; then each constraint writes its block of rows and
+//! values.
 
 mod block;
 mod culprit;

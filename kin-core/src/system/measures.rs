@@ -1,4 +1,4 @@
-//! Measures of joints by name: `JOINT.MEASURE`.
+//! Lists the measures of joints by name: `JOINT.MEASURE`.
 
 use super::System;
 use crate::model::constraint::Measured;
@@ -14,7 +14,9 @@ pub(crate) struct MeasurePlace {
 
 impl System {
     /// Returns the names of all measures of joints, such as `slot.slide`, in the order of the
-    /// constraints. [`System::measure`] accepts these names and those of coordinates.
+    /// constraints.
+    ///
+    /// [`System::measure`] accepts the names of measures and of coordinates.
     pub fn measures(&self) -> Vec<String> {
         self.constraints()
             .flat_map(|(name, constraint)| {

@@ -1,4 +1,4 @@
-//! Parameters by name, such as `slot.k`: reads and sets them without a rebuild.
+//! Reads and sets parameters by name, such as `slot.k`, without a rebuild of the system.
 
 use super::System;
 use crate::model::error::{Error, Result};
@@ -31,8 +31,9 @@ impl System {
         all
     }
 
-    /// Returns the value of one parameter, such as `slot.k`, or of a dimension. Errors: no such
-    /// parameter.
+    /// Returns the value of one parameter, such as `slot.k`, or of a dimension.
+    ///
+    /// Errors: no parameter or dimension has the name.
     pub fn parameter(&self, name: &str) -> Result<f64> {
         if let Some((_, value)) = self.dimensions().into_iter().find(|(known, _)| known == name) {
             return Ok(value);
@@ -44,11 +45,11 @@ impl System {
     /// Sets one dimension and all numbers that depend on it, or one parameter, such as `slot.k`.
     ///
     /// The pattern and the order of the equations do not change. You can also set a parameter that
-    /// depends on a dimension. It keeps that value until you set the dimension.
+    /// depends on a dimension. Such a parameter keeps its value until you set the dimension.
     ///
-    /// Errors: no such parameter, a value that is not finite, a value outside the range of a
-    /// dimension, an expression of dimensions, a value that contradicts the others. After an error
-    /// the old value remains.
+    /// Errors: no parameter or dimension has the name; the value is not finite; the value is
+    /// outside the range of the dimension; the name is an expression of dimensions; the value
+    /// contradicts other parameters. After an error the old value remains.
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         if let Some(k) = self.dimension_number(name) {
             return self.set_dimension(k, value);

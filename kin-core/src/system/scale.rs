@@ -1,5 +1,5 @@
-//! Characteristic sizes. They make tolerances, ranks and the check of steps independent of the unit
-//! of length and of the origin.
+//! Computes characteristic sizes, so that tolerances, ranks and the check of steps do not depend on
+//! the unit of length or on the origin.
 
 use std::f64::consts::FRAC_PI_2;
 

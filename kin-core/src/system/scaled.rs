@@ -1,4 +1,5 @@
-//! The equations of a mechanism in units of order 1, for any number of equations and any pose.
+//! Evaluates the equations of a mechanism in units of order 1, for any number of equations and any
+//! pose.
 //!
 //! Diagnosis, assembly from a poor guess and redundant mechanisms use this module. The step-by-step
 //! solver and the compiled program do not.

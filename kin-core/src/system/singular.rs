@@ -1,5 +1,5 @@
-//! Reports on C_q where a solver found no pivot: its rank, the free coordinates, the dependent
-//! equations.
+//! Reports the rank of C_q, the free coordinates and the dependent equations, after a solver found
+//! no pivot.
 
 use crate::linear::{Echelon, RANK};
 use crate::system::scaled::{Measures, Model};

@@ -1,5 +1,4 @@
-//! The states of bodies and scalar coordinates. They are evaluated once for each iterate, in one
-//! place that all constraints read.
+//! Computes the states of bodies and scalar coordinates once for each iterate, for all constraints.
 
 use crate::model::coordinates::{Target, Trig};
 use crate::model::layout::Place;

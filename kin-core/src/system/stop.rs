@@ -1,5 +1,7 @@
-//! The stop rule of Newton's method and its allowance for rounding, over any number. The
-//! step-by-step solver, redundant mechanisms and programs over lanes share it.
+//! Implements the stop rule of Newton's method and its allowance for rounding, for any type of
+//! number.
+//!
+//! The step-by-step solver, redundant mechanisms and compiled programs share this rule.
 
 use crate::numbers::lanes::lanewise::Judged;
 

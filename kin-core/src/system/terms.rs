@@ -1,4 +1,4 @@
-//! The terms of a system's equations at one pose: C, C_q, C_t, Q_d.
+//! Returns the terms of a system's equations at one pose: C, C_q, C_t, Q_d.
 
 use nalgebra::DMatrix;
 
@@ -8,7 +8,9 @@ use crate::linear::Linear;
 use crate::model::error::Result;
 
 impl System {
-    /// Returns C(q, t), in the unit of each row. Errors: wrong length, not finite.
+    /// Returns C(q, t), in the unit of each row.
+    ///
+    /// Errors: q has the wrong length; a value is not finite.
     pub fn residual(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         let mut c = vec![0.0; self.n_equations()];
@@ -16,7 +18,9 @@ impl System {
         Ok(c)
     }
 
-    /// Returns C_q(q, t), m × n. Errors: wrong length, not finite.
+    /// Returns the Jacobian C_q(q, t), m × n.
+    ///
+    /// Errors: q has the wrong length; a value is not finite.
     pub fn jacobian(&self, q: &[f64], t: f64) -> Result<DMatrix<f64>> {
         let mut values = vec![0.0; self.equations.entries.len()];
         self.linearize(q, &self.instant(q, t)?, &mut values)?;
@@ -29,7 +33,9 @@ impl System {
         Ok(c_q)
     }
 
-    /// Returns C_t(q, t), in the unit of each row per second. Errors: wrong length, not finite.
+    /// Returns C_t(q, t), in the unit of each row per second.
+    ///
+    /// Errors: q has the wrong length; a value is not finite.
     pub fn c_t(&self, q: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         let mut rhs = vec![0.0; self.n_equations()];
@@ -40,7 +46,7 @@ impl System {
 
     /// Returns Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt, in the unit of each row per second squared.
     ///
-    /// Errors: wrong length, not finite.
+    /// Errors: a list has the wrong length; a value is not finite.
     pub fn acceleration_rhs(&self, q: &[f64], qd: &[f64], t: f64) -> Result<Vec<f64>> {
         let mut instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;
@@ -54,8 +60,8 @@ impl System {
     /// Returns −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s): the right side of C_q q⃛, in the
     /// unit of each row per second cubed.
     ///
-    /// Errors: wrong length, not finite, a hand-written constraint without
-    /// [`crate::Constraint::jerk_rhs`].
+    /// Errors: a list has the wrong length; a value is not finite; a hand-written constraint does
+    /// not implement [`crate::Constraint::jerk_rhs`].
     pub fn jerk_rhs(&self, q: &[f64], qd: &[f64], qdd: &[f64], t: f64) -> Result<Vec<f64>> {
         let instant = self.instant(q, t)?;
         self.check(qd, "velocities")?;

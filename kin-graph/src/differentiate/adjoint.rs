@@ -1,14 +1,18 @@
-//! First derivatives of one value by all columns at once, from the value inwards: cheaper than
-//! column by column where a value is a long chain of sums and products.
+//! Computes the first derivatives of one value by all columns at once, from the value inwards.
+//!
+//! If a value is a long chain of sums and products, this pass is cheaper than differentiation
+//! column by column.
 
 use std::collections::BTreeMap;
 
 use super::partial::{By, input_derivative};
 use crate::{Column, Graph, Input, Node, Op, Part};
 
-/// Operations that going inwards from each of `rows` promises to save against column by column: the
-/// products and sums that each of the two builds, before simplification and without a look at what
-/// is in common.
+/// Estimates the operations that differentiation inwards from each of `rows` saves, compared with
+/// differentiation column by column.
+///
+/// The estimate counts the products and sums of both ways, before simplification and without shared
+/// nodes.
 pub fn promise_of_columns(g: &Graph, rows: &[Node], columns: &[Column]) -> usize {
     let inward = rows.iter().map(|&row| inward_work(g, row)).sum();
     forward_work(g, rows, columns).saturating_sub(inward)
@@ -72,8 +76,9 @@ fn moving(g: &Graph, rows: &[Node]) -> Vec<Node> {
     g.reachable(rows).into_iter().filter(|&node| g.depends(node).on_q).collect()
 }
 
-/// ∂node/∂column for each of `columns`, zeros included; `None` if the node is made of coordinates
-/// by anything but sums and products, whose derivatives need no care.
+/// Returns ∂node/∂column for each of `columns`, zeros included.
+///
+/// Returns `None` if the node depends on coordinates by operations other than sums and products.
 pub fn by_columns(g: &mut Graph, node: Node, columns: &[Column]) -> Option<Vec<Node>> {
     let inwards = gradient(g, node)?;
     let zero = g.zero();

@@ -1,4 +1,4 @@
-//! Rates of inputs along a line or a curve.
+//! Gives the derivatives of inputs along a line or a curve.
 
 use super::Jet;
 use crate::{Graph, Input, Node, Part};

@@ -1,5 +1,5 @@
-//! All derivatives of the rows that a constraint is asked for, as nodes of the same graph, and what
-//! follows from them for good.
+//! Computes all derivatives of the rows that a constraint provides, as nodes of the same graph, and
+//! the facts that follow from them.
 
 use super::{Jets, Partial, by_columns, promise_of_columns};
 use crate::schedule::{fused, looked_up, operations};
@@ -7,31 +7,30 @@ use crate::{Column, Graph, Input, Node, Op, Part};
 
 /// Every derivative of the rows.
 pub struct Derivatives {
-    /// C, of tables of pieces one expression with numbers that are looked up; the derivatives are
-    /// those of this.
+    /// C, in which a table of pieces is one expression with numbers from a lookup. The derivatives
+    /// are those of this form.
     pub rows: Vec<Node>,
-    /// (row, local column, value), structural non-zeros only.
+    /// The structurally nonzero entries of C_q, as (row, local column, value).
     pub jacobian: Vec<(usize, usize, Node)>,
-    /// −C_t; empty where nothing depends on time.
+    /// −C_t; empty if no row depends on time.
     pub velocity_rhs: Vec<Node>,
-    /// −g″(0)
+    /// −g″(0), the right side for accelerations.
     pub acceleration_rhs: Vec<Node>,
 }
 
-/// The terms that can change with t, be other than zero, or be other than linear, and the entries
-/// of C_q that are numbers for good.
+/// The terms that can change with t, be nonzero or be nonlinear, and the constant entries of C_q.
 pub struct Promises {
     pub c_on_t: bool,
     pub c_q_on_t: bool,
     pub c_t: bool,
     pub q_d: bool,
     pub curved: bool,
-    /// Those of `jacobian`, in its order.
+    /// The constants of `jacobian`, in the same order; `None` for an entry that can change.
     pub constants: Vec<Option<f64>>,
 }
 
 impl Derivatives {
-    /// The derivatives of `rows`; `local` numbers the columns.
+    /// Computes the derivatives of `rows`; `local` gives the local index of a column.
     pub fn new(g: &mut Graph, rows: &[Node], local: impl Fn(Column) -> usize) -> Self {
         let rows = looked_up(g, rows);
         let jacobian = jacobian(g, &rows, local);
@@ -52,7 +51,7 @@ impl Derivatives {
         Derivatives { rows, jacobian, velocity_rhs, acceleration_rhs }
     }
 
-    /// Slots whose sine or cosine some output reads.
+    /// Returns the arguments whose sine or cosine an output reads.
     pub fn trig(&self, g: &Graph) -> Vec<usize> {
         let mut outputs = self.rows.clone();
         outputs.extend(self.jacobian.iter().map(|entry| entry.2));
@@ -64,9 +63,10 @@ impl Derivatives {
         g.reachable(&outputs).into_iter().filter_map(reads).collect()
     }
 
-    /// True if the rows are linear in the coordinates for good: with a gradient of numbers, and
-    /// coordinates that enter by sums and products alone, for steps and kinks have such gradients
-    /// too.
+    /// Returns true if the rows are always linear in the coordinates.
+    ///
+    /// The gradient must be constant, and coordinates must enter only by sums and products, because
+    /// steps and kinks have constant gradients too.
     pub fn is_linear(&self, g: &Graph) -> bool {
         let smooth = |op: Op| {
             matches!(op, Op::Input(_) | Op::Add(..) | Op::Sub(..) | Op::Mul(..) | Op::Neg(_))
@@ -77,7 +77,7 @@ impl Derivatives {
                 .all(|node| !g.depends(node).on_q || smooth(g.op(node)))
     }
 
-    /// The promises of the graph about the terms.
+    /// Returns the promises of the graph about the terms.
     pub fn promises(&self, g: &Graph) -> Promises {
         let on_t = |n: &Node| g.depends(*n).on_t;
         let [c_t, q_d] = [&self.velocity_rhs, &self.acceleration_rhs]

@@ -1,6 +1,7 @@
-//! Second-order jets: of g(s) = C(q + s q̇, t + s ṫ), the derivatives g′(0) and g″(0). −g″(0) is
-//! the whole acceleration right side. Along a curve q + s q̇ + ½ s² q̈ the second one has the term
-//! of q̈ too.
+//! Computes second-order jets: the derivatives g′(0) and g″(0) of g(s) = C(q + s q̇, t + s ṫ).
+//!
+//! The right side for accelerations is −g″(0). Along a curve q + s q̇ + ½ s² q̈ the second
+//! derivative contains the term of q̈ too.
 
 use super::curve::Curve;
 use super::moves::{Motion, Moves};
@@ -8,15 +9,17 @@ use super::scaled::{Depth, Tangents, relative_exponent, scaled, where_finite, wh
 use super::{Memo, rules};
 use crate::{Direction, Function2, Graph, LeafNumber, LeafUse, Node, Op};
 
-/// First and second derivative along the motion.
+/// The first and second derivative of a node along the motion.
 #[derive(Clone, Copy)]
 pub struct Jet {
     pub first: Node,
     pub second: Node,
 }
 
-/// Jets along (q̇, ṫ); each node is differentiated once. First derivatives stand alone: the second
-/// derivative of f(u) needs the first of f′(u), which can contain f(u) again.
+/// Computes jets along (q̇, ṫ) and differentiates each node once.
+///
+/// Kin stores first derivatives separately: the second derivative of f(u) needs the first
+/// derivative of f′(u), which can contain f(u) again.
 #[derive(Default)]
 pub struct Jets {
     first: Memo<Node>,
@@ -55,12 +58,15 @@ struct Argument<'a> {
 }
 
 impl Jets {
-    /// Along a curve: the second rate of argument k is the rate of argument k + `beyond`.
+    /// Creates jets along a curve.
+    ///
+    /// The second derivative of argument k is the input [`Input::Rate`](crate::Input::Rate) of
+    /// argument k + `beyond`.
     pub fn along_curve(beyond: usize) -> Jets {
         Jets { curve: Curve::Bent(beyond), ..Jets::default() }
     }
 
-    /// The jet of `node`.
+    /// Returns the jet of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Jet {
         let first = self.first(g, node);
         for inner in g.unknown(&[node], |n| self.second.has(n)) {
@@ -70,7 +76,7 @@ impl Jets {
         Jet { first, second: self.second.of(node).whole(g) }
     }
 
-    /// The first derivative of `node` alone.
+    /// Returns the first derivative of `node`, without the second.
     pub fn first(&mut self, g: &mut Graph, node: Node) -> Node {
         for inner in g.unknown(&[node], |n| self.first.has(n)) {
             let first = self.first_rule(g, inner);

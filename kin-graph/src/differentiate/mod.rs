@@ -1,5 +1,5 @@
-//! Differentiation over the graph, by its own constructors: derivatives are born simplified and
-//! share what they have in common.
+//! Differentiates nodes of the graph with the constructors of the graph, so that derivatives are
+//! simplified and share common nodes.
 
 mod adjoint;
 mod curve;

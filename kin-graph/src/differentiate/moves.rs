@@ -1,18 +1,19 @@
-//! The rule of tangents that vanish.
+//! Implements the rule for tangents that are zero.
 //!
-//! f(u)′ = f′(u) u′ is not a number where f′(u) is infinite and u′ is zero, and there are two ways
-//! to be zero. Of √(max(1 − a², 0)) with a² > 1 the side that is taken is a constant: nothing moves
-//! there, and the term is zero. Of √(x²) at x = 0 the tangent only happens to be zero: there is no
-//! slope, and it stays not a number, so that the failure is told.
+//! f(u)′ = f′(u) u′ is NaN if f′(u) is infinite and u′ is zero, but u′ can be zero for two reasons.
+//! In √(max(1 − a², 0)) with a² > 1 the selected side is a constant, so the derivative is zero. In
+//! √(x²) at x = 0 the tangent is zero only at this point: no slope exists, and the derivative
+//! remains NaN, so that Kin reports the failure.
 //!
-//! So a tangent is zero *by structure* where what is differentiated by does not reach the value:
-//! the value is made of parameters and constants alone, or what is taken of `max`, `min`, `clamp`,
-//! `if` and `match` is. Then every term that has it for a factor is zero. Everywhere else zero is a
-//! number like any other. The dual route keeps to the same rule by a mark in each number
-//! (`kin_core::extend::real`), the search for what is to blame too.
+//! So a tangent is zero *by structure* if the value does not depend on the variable of
+//! differentiation. Such a value consists of parameters and constants alone, or the selected branch
+//! of `max`, `min`, `clamp`, `if` and `match` does. Every term with such a tangent as a factor is
+//! zero. In all other cases Kin treats zero like any other number. The dual route follows the same
+//! rule by a mark in each number (`kin_core::extend::real`), and so does the search for a failed
+//! expression.
 //!
-//! Here the condition under which a value moves is a node like any other. It is built for values
-//! that choose only, so that nothing else pays.
+//! In the graph, the condition under which a value changes is a node. Kin builds this node only for
+//! values that select a branch, so that other values need no extra operations.
 
 use super::{Memo, rules};
 use crate::{Function2, Graph, Node, Op};
@@ -36,7 +37,7 @@ impl Moves {
         self.0.of(node)
     }
 
-    /// Notes whether a node with a tangent moves, from what is known of its operands.
+    /// Records if a node with a tangent changes, from the records of its operands.
     pub fn note(&mut self, g: &mut Graph, node: Node, tangent: Node) {
         let motion = match g.op(node) {
             _ if g.is_zero(tangent) => Motion::Never,
@@ -63,7 +64,8 @@ impl Moves {
 }
 
 impl Motion {
-    /// The tangent of something that moves so, where it moves: elsewhere it may be anything.
+    /// Returns the tangent of a node where the node changes; elsewhere the tangent may have any
+    /// value.
     pub fn inner(self, g: &Graph, tangent: Node) -> Node {
         match (self, g.op(tangent)) {
             (Motion::When(moves), Op::Select(c, inner, zero)) if c == moves && g.is_zero(zero) => {
@@ -73,7 +75,7 @@ impl Motion {
         }
     }
 
-    /// The term where it moves, else zero.
+    /// Returns the term where the node changes, otherwise zero.
     pub fn guard(self, g: &mut Graph, term: Node) -> Node {
         let zero = g.zero();
         match self {

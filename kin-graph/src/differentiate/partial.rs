@@ -1,11 +1,11 @@
-//! First derivatives by one column of C_q, by t, or by the variable of a law.
+//! Computes first derivatives by one column of C_q, by t, or by the variable of a law.
 
 use super::moves::Moves;
 use super::scaled::{Tangents, relative_exponent, scaled, where_finite, where_large};
 use super::{Memo, rules};
 use crate::{Column, Function2, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
-/// The variable to differentiate by.
+/// The variable of differentiation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum By {
     Column(Column),
@@ -13,7 +13,7 @@ pub enum By {
     Variable,
 }
 
-/// Derivatives by one quantity; each node is differentiated once.
+/// Computes derivatives by one variable, and differentiates each node once.
 pub struct Partial {
     by: By,
     memo: Memo<Node>,
@@ -43,20 +43,22 @@ impl Partial {
         Partial { by, memo: Memo::default(), moves: Moves::default() }
     }
 
-    /// The derivative of `node`.
+    /// Returns the derivative of `node`.
     pub fn of(&mut self, g: &mut Graph, node: Node) -> Node {
         let unknown = self.unknown(g, node);
         self.of_all(g, &unknown);
         self.known(node)
     }
 
-    /// Nodes that have to be differentiated before `node`, and itself. Operands come before their
-    /// users, so a loop over them replaces a recursion as deep as the expression.
+    /// Returns the nodes that must be differentiated before `node`, and `node` itself.
+    ///
+    /// Operands come before their users, so a loop over the nodes replaces a recursion as deep as
+    /// the expression.
     pub fn unknown(&self, g: &Graph, node: Node) -> Vec<Node> {
         g.unknown(&[node], |n| self.memo.has(n))
     }
 
-    /// Differentiates what is [`Partial::unknown`].
+    /// Differentiates the nodes from [`Partial::unknown`].
     pub fn of_all(&mut self, g: &mut Graph, unknown: &[Node]) {
         let zero = g.zero();
         for &node in unknown {
@@ -66,7 +68,7 @@ impl Partial {
         }
     }
 
-    /// The derivative of a node that is not unknown.
+    /// Returns the derivative of a node that is already differentiated.
     pub fn known(&self, node: Node) -> Node {
         self.memo.of(node)
     }

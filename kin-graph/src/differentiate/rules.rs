@@ -1,11 +1,11 @@
-//! The rules of the list of functions as nodes of a graph.
+//! Writes the rules of the list of functions as nodes of a graph.
 
 use std::cell::RefCell;
 
 use super::term::{Term, nodes_of};
 use crate::{Comparison, Function, Function2, Graph, Node, Op, rules};
 
-/// dy/du of y = f(u).
+/// Returns dy/du of y = f(u).
 pub fn derivative(g: &mut Graph, f: Function, u: Node, y: Node) -> Node {
     let graph = RefCell::new(g);
     let [u, y] = [u, y].map(|node| Term::Node(&graph, node));
@@ -13,9 +13,10 @@ pub fn derivative(g: &mut Graph, f: Function, u: Node, y: Node) -> Node {
     nodes_of(&graph, [slope])[0]
 }
 
-/// (∂z/∂u, ∂z/∂v) of z = f(u, v).
+/// Returns (∂z/∂u, ∂z/∂v) of z = f(u, v).
 ///
-/// Not of `max` and `min`, which have the tangent of the one that is taken ([`takes_first`]).
+/// The function does not accept `max` and `min`, whose tangent is the tangent of the selected
+/// operand ([`takes_first`]).
 pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (Node, Node) {
     // An exponent that depends on nothing has no derivative, so its logarithm must not spoil u ≤ 0.
     let is_still = f == Function2::Powf && !g.depends(v).varies();
@@ -29,8 +30,9 @@ pub fn derivatives2(g: &mut Graph, f: Function2, u: Node, v: Node, z: Node) -> (
     (by_u, by_v)
 }
 
-/// The condition under which `max` or `min` takes the first of two: it is not beyond the other, or
-/// that is not a number.
+/// Returns the condition under which `max` or `min` selects the first operand.
+///
+/// The first operand is selected if it equals or beats the second, or if the second is NaN.
 pub fn takes_first(g: &mut Graph, z: Node) -> Node {
     let (comparison, u, v) = match g.op(z) {
         Op::Call2(Function2::Min, u, v) => (Comparison::LessEqual, u, v),
@@ -42,7 +44,7 @@ pub fn takes_first(g: &mut Graph, z: Node) -> Node {
     g.or(wins, alone)
 }
 
-/// n uⁿ⁻¹, the derivative of uⁿ.
+/// Returns n uⁿ⁻¹, the derivative of uⁿ.
 pub fn power_derivative(g: &mut Graph, u: Node, n: i32) -> Node {
     let factor = g.constant(f64::from(n));
     let power = g.powi(u, n.saturating_sub(1));

@@ -1,11 +1,11 @@
-//! Products of a factor and a tangent that may be too large for a number on the way, though the
-//! product is not.
+//! Computes products of a factor and a tangent whose intermediate results may overflow although the
+//! product is finite.
 //!
-//! In 1/(1 + eᵘ) the divisor and its tangents overflow long before the quotient has anything to
-//! say: 0 · ∞ is not a number. Of what grows as an exponential or a power (`Graph::bursts`) the
-//! factor outside is multiplied first, (c eᵘ) u′ for c (eᵘ)′, and where the value itself has
-//! overflowed a function that is finite there is flat. All else is multiplied as it stands: nothing
-//! is paid where nothing grows.
+//! In 1/(1 + eᵘ) the divisor and its tangents overflow although the quotient is finite, and 0 · ∞
+//! is NaN. If a value grows like an exponential or a power (`Graph::bursts`), Kin first multiplies
+//! by the outer factor: (c eᵘ) u′ for c (eᵘ)′. If the value itself has overflowed, the derivative
+//! of a function that is finite at infinity is zero. Kin multiplies all other products directly,
+//! without extra operations.
 
 use crate::{Comparison, Function, Function2, Graph, Node, Op};
 
@@ -33,12 +33,12 @@ pub(super) struct Depth {
 impl Depth {
     pub const FULL: Depth = Depth { products: DEEPEST, sums: LONGEST };
 
-    /// One product or function deeper.
+    /// Returns the depth below one more product or function.
     pub fn product(self) -> Option<Depth> {
         Some(Depth { products: self.products.checked_sub(1)?, ..self })
     }
 
-    /// One sum deeper.
+    /// Returns the depth below one more sum.
     pub fn sum(self) -> Option<Depth> {
         Some(Depth { sums: self.sums.checked_sub(1)?, ..self })
     }

@@ -1,5 +1,5 @@
-//! The nodes of a graph as numbers, so that the formulas of the list of functions can be written to
-//! it.
+//! Implements numbers by nodes of a graph, so that the formulas of the list of functions can be
+//! written to the graph.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,29 +1,32 @@
-//! Facts of a function that its entry in the list states beside formulas.
+//! Describes the facts of a function that its entry in the list states in addition to formulas.
 
-/// A function of one number, as far as numbers say it. What an entry does not name it has none of
-/// ([`CONTINUOUS`]).
+/// The facts of a function of one number.
+///
+/// A fact that an entry does not state has the value of [`CONTINUOUS`].
 pub struct Facts {
-    /// From where to where it has values: both ends belong to it, unless they are poles.
+    /// The domain of the function; both ends belong to the domain, unless they are poles.
     pub domain: [f64; 2],
-    /// Between which numbers its values stay; infinite where no f64 is the exact bound.
+    /// The range of the values; a bound is infinite if no f64 is the exact bound.
     pub range: [f64; 2],
-    /// Places where it turns, with its value there: between two neighbours it rises or falls.
+    /// The extrema of the function, with their values: between two neighbours the function rises or
+    /// falls.
     pub extrema: &'static [(Place, f64)],
-    /// Places where it is infinite, or jumps.
+    /// The places at which the function is infinite or jumps.
     pub poles: &'static [Place],
-    /// Arguments at which its slope is infinite though its value is not.
+    /// The arguments at which the slope is infinite although the value is finite.
     pub steep: &'static [f64],
-    /// The function that is constant between jumps and jumps where this one does.
+    /// A function that is constant between jumps and jumps at the same places as this function.
     pub jumps: Option<fn(f64) -> f64>,
-    /// Growth of its values.
+    /// The growth of the values.
     pub growth: Growth,
-    /// Bound of the error of f64's value for arguments up to a size.   \[units in the last place\]
+    /// Returns a bound of the error of f64's value for arguments up to a size.
+    /// \[units in the last place\]
     pub error: fn(f64) -> f64,
-    /// True if f64 has a method of its name.
+    /// True if f64 has a method with the name of the function.
     pub in_std: bool,
 }
 
-/// Places on the line.
+/// Places on the real line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Place {
     At(f64),
@@ -37,19 +40,20 @@ pub enum Place {
 /// Growth of the values of a function.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
-    /// As its argument does, or like a power of it.
+    /// The values grow like the argument, or like a power of the argument.
     Ordinary,
-    /// They are small and finite, whatever the argument.
+    /// The values are small and finite for every argument.
     Bounded,
-    /// It makes what is large small.
+    /// The function maps large arguments to small values.
     Logarithmic,
-    /// As those of an exponential.
+    /// The values grow like an exponential.
     Bursting,
 }
 
-/// Error that f64's elementary functions are allowed: the manual of glibc lists at most 4 units in
-/// the last place for all of them, other platforms' libraries state 1 or 2.   \[units in the last
-/// place\]
+/// The error that Kin allows for f64's elementary functions. \[units in the last place\]
+///
+/// The manual of glibc lists at most 4 units in the last place for these functions; the libraries
+/// of other platforms state 1 or 2.
 pub const ALLOWED: f64 = 8.0;
 
 /// Of angles larger than this sine, cosine and tangent are allowed an error that is 8 times as
@@ -57,7 +61,7 @@ pub const ALLOWED: f64 = 8.0;
 /// by 7 units in the last place; no f64 is nearer to a multiple of a quarter turn.   \[rad\]
 const LARGE_ANGLE: f64 = 1e5;
 
-/// A function that has a value everywhere and rises or falls all along.
+/// The facts of a function that has a value everywhere and is monotonic.
 pub const CONTINUOUS: Facts = Facts {
     domain: ALL,
     range: ALL,
@@ -81,19 +85,20 @@ pub(super) const LOGARITHM: Facts =
 /// Constant between jumps, or as exact as that.
 pub(super) const EXACT: Facts = Facts { error: |_| 0.0, ..CONTINUOUS };
 
-/// A function of two numbers, as far as its entry says it without a formula.
+/// The facts of a function of two numbers.
 pub struct FactsOfTwo {
     /// True if f64 has its values exactly.
     pub exact: bool,
-    /// True if its values jump somewhere, by more or less than whole turns.
+    /// True if the values jump at some arguments, by an amount that is not a whole number of
+    /// revolutions.
     pub jumps: bool,
-    /// Growth of its values.
+    /// The growth of the values.
     pub growth: Growth,
-    /// True if f64 has a method of its name.
+    /// True if f64 has a method with the name of the function.
     pub in_std: bool,
 }
 
-/// A function of two numbers without jumps.
+/// The facts of a function of two numbers without jumps.
 pub const SMOOTH: FactsOfTwo =
     FactsOfTwo { exact: false, jumps: false, growth: Growth::Ordinary, in_std: true };
 
@@ -112,12 +117,13 @@ impl Facts {
         (self.error)(0.0) == 0.0
     }
 
-    /// True if its values jump somewhere between two finite ones.
+    /// Returns true if the values jump from one finite value to another at some arguments.
     pub fn can_jump(&self) -> bool {
         self.jumps.is_some() || self.growth == Growth::Bounded && !self.poles.is_empty()
     }
 
-    /// True if it has values everywhere, and a finite slope wherever they are finite.
+    /// Returns true if the function has values everywhere, and a finite slope wherever the values
+    /// are finite.
     pub const fn is_tame(&self) -> bool {
         let [from, to] = self.domain;
         from == f64::NEG_INFINITY && to == f64::INFINITY && self.steep.is_empty()

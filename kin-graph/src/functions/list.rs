@@ -1,4 +1,4 @@
-//! The list: every function of one or two numbers, one entry each.
+//! Lists every function of one or two numbers, with one entry for each function.
 
 /// Hands every function of one number to a macro.
 ///

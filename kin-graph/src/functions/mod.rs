@@ -1,9 +1,9 @@
-//! The functions of one and of two numbers, by what their entries in the one list (`list.rs`) say.
+//! Defines the functions of one and of two numbers from their entries in the list (`list.rs`).
 //!
-//! The list is two macros that hand themselves to another macro, so that whatever has to do
-//! something for every function (numbers of another kind, tests) does it for exactly these:
+//! The list consists of two macros that pass their entries to another macro. So numbers of other
+//! types and tests can implement exactly the functions of the list:
 //! `kin_graph::functions_of_one!(callback)` expands to `callback! { /// … Sin sin "sin" { … } … }`.
-//! Their formulas in any numbers are in `rules.rs`.
+//! The module `rules.rs` contains the formulas of the functions for any numbers.
 
 mod entry;
 mod list;
@@ -20,25 +20,25 @@ macro_rules! vocabulary {
         pub enum $name { $($variant),* }
 
         impl $name {
-            /// Every function.
+            /// Every function of the list.
             pub const ALL: &'static [$name] = &[$($name::$variant),*];
 
-            /// Name of its method.
+            /// Returns the name of the method of f64.
             pub fn method(self) -> &'static str {
                 match self { $($name::$variant => $written),* }
             }
 
-            /// Its name in the text of a graph.
+            /// Returns the name of the function in the text of a graph.
             pub fn name(self) -> &'static str {
                 match self { $($name::$variant => stringify!($variant)),* }
             }
 
-            /// The function of that name.
+            /// Returns the function with this name.
             pub fn named(name: &str) -> Option<Self> {
                 Self::ALL.iter().copied().find(|f| f.name() == name)
             }
 
-            /// The function that the method of that name is.
+            /// Returns the function for the method with this name.
             pub fn from_method(name: &str) -> Option<Self> {
                 match name { $($written => Some($name::$variant),)* _ => None }
             }
@@ -55,13 +55,13 @@ macro_rules! of_one {
         vocabulary! { #[doc = "A function of one scalar."] Function: $($variant $written;)* }
 
         impl Function {
-            /// The function itself.
+            /// Returns the function for f64.
             #[inline]
             pub const fn value(self) -> fn(f64) -> f64 {
                 match self { $(Function::$variant => $value),* }
             }
 
-            /// Facts that are known of it.
+            /// Returns the known facts of the function.
             #[inline]
             pub const fn facts(self) -> &'static Facts {
                 match self { $(Function::$variant => const { &$facts }),* }
@@ -79,13 +79,13 @@ macro_rules! of_two {
         vocabulary! { #[doc = "A function of two scalars."] Function2: $($variant $written;)* }
 
         impl Function2 {
-            /// The function itself.
+            /// Returns the function for f64.
             #[inline]
             pub const fn value(self) -> fn(f64, f64) -> f64 {
                 match self { $(Function2::$variant => $value),* }
             }
 
-            /// Facts that are known of it.
+            /// Returns the known facts of the function.
             #[inline]
             pub const fn facts(self) -> &'static FactsOfTwo {
                 match self { $(Function2::$variant => const { &$facts }),* }

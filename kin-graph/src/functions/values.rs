@@ -1,13 +1,18 @@
-//! Values of functions where the standard library loses digits.
+//! Computes values of functions for which the standard library loses digits.
 
-/// arsinh x to rounding. That of the standard library is infinite for the largest numbers: a sum of
-/// it overflows before the logarithm is taken. There it is ln |x| + ln 2, of the sign of x.
+/// Returns arsinh x to rounding.
+///
+/// The function of the standard library is infinite for the largest numbers, because a sum
+/// overflows before the logarithm. For such x this function returns ln |x| + ln 2 with the sign of
+/// x.
 pub fn asinh(x: f64) -> f64 {
     if x.abs() > 1e300 { (x.abs().ln() + std::f64::consts::LN_2).copysign(x) } else { x.asinh() }
 }
 
-/// arcosh x to rounding, NaN below 1. That of the standard library loses all digits near 1: it adds
-/// 1 before it takes the logarithm.
+/// Returns arcosh x to rounding, or NaN below 1.
+///
+/// The function of the standard library loses all digits near 1, because it adds 1 before the
+/// logarithm.
 ///
 /// With t = x − 1 it is ln(1 + t + √(2 t + t²)); from 2 on ln(2 x − 1/(x + √(x² − 1))), and ln x +
 /// ln 2 where 1/x is below rounding.
@@ -24,8 +29,10 @@ pub fn acosh(x: f64) -> f64 {
     }
 }
 
-/// artanh x to rounding, infinite at ±1, NaN beyond: ½ ln(1 + 2 |x|/(1 − |x|)) of the sign of x. Of
-/// a negative x the standard library takes the logarithm of a difference that is nearly zero.
+/// Returns artanh x to rounding; infinite at ±1, NaN beyond ±1.
+///
+/// The formula is ½ ln(1 + 2 |x|/(1 − |x|)) with the sign of x. For a negative x the standard
+/// library computes the logarithm of a difference close to zero.
 pub fn atanh(x: f64) -> f64 {
     let a = x.abs();
     let twice = a + a;

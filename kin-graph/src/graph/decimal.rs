@@ -1,10 +1,10 @@
-//! Decimals as they are written, and what f64 makes of them.
+//! Stores decimals as the user wrote them, with their nearest f64.
 
 use std::cmp::Ordering;
 
 use super::{Graph, Node, Op};
 
-/// A positive decimal that no f64 is.
+/// A positive decimal that is not an f64.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Decimal {
     digits: Digits,
@@ -57,13 +57,13 @@ impl Digits {
 }
 
 impl Graph {
-    /// A number as the text of a literal, without sign.
+    /// Returns the node of a number from the text of a literal, without sign.
     pub fn decimal(&mut self, text: &str) -> Node {
         let nearest = text.replace('_', "").parse().unwrap_or(f64::NAN);
         self.constant_of(text, nearest)
     }
 
-    /// A number with many digits of which an f64 is known that stands for it.
+    /// Returns the node of a number with many digits that the f64 `nearest` represents.
     pub fn constant_of(&mut self, text: &str, nearest: f64) -> Node {
         let read = Digits::read(text).filter(|_| nearest.is_finite());
         let Some((digits, exact)) = read.zip(Digits::exact(nearest)) else {
@@ -83,8 +83,8 @@ impl Graph {
         self.intern(Op::Decimal(number))
     }
 
-    /// A decimal of which no more is known than the nearest f64 and whether it is above that: no
-    /// other node is the same number.
+    /// Returns a new node for a decimal of which only the nearest f64 and the side of this f64 are
+    /// known.
     pub fn decimal_beside(&mut self, nearest: f64, above: bool) -> Node {
         self.decimals.push(Decimal {
             digits: Digits { exponent: 0, digits: String::new() },

@@ -1,4 +1,4 @@
-//! The factors of a product.
+//! Handles the factors of a product.
 
 use super::{Graph, Node, Op};
 

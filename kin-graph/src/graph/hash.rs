@@ -1,10 +1,12 @@
-//! The hash of operations. A macro runs as it was compiled, without optimization, and std's hash,
-//! made against attackers, is a fifth of its time there; this one is that of rustc's own tables
-//! (FxHash): a product and a turn for each number.
+//! Implements the hash of operations.
+//!
+//! Macros usually run without optimization, and the hash of the standard library takes a fifth of
+//! their time. This hash is the hash of rustc's tables (FxHash): one multiplication and one
+//! rotation for each number.
 
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// The hasher for a `HashMap`.
+/// The type of hasher for a `HashMap`.
 pub type Quick = BuildHasherDefault<QuickHasher>;
 
 #[derive(Default)]

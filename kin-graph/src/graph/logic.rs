@@ -1,4 +1,4 @@
-//! Conditions, and the choice by one; folded where they are known.
+//! Constructs conditions, and selections by a condition, and folds known conditions.
 
 use super::{Comparison, Graph, Node, Op};
 use crate::Function;
@@ -15,7 +15,7 @@ impl Graph {
         }
     }
 
-    /// The condition that a number is finite.
+    /// Returns the condition that a number is finite.
     pub fn is_finite(&mut self, a: Node) -> Node {
         let size = self.call(Function::Abs, a);
         let largest = self.constant(f64::MAX);

@@ -1,6 +1,7 @@
-//! The scalar graph: every value of a constraint as hash-consed nodes. Equal expressions are one
-//! node, so common subexpressions vanish while building. Nodes are numbered in order of creation;
-//! nothing depends on hash iteration.
+//! Defines the scalar graph, which contains every value of a constraint as hash-consed nodes.
+//!
+//! Equal expressions share one node, so the graph contains no duplicate subexpressions. The index
+//! of a node is its order of creation; no result depends on the iteration order of hash tables.
 
 mod decimal;
 mod factors;
@@ -24,7 +25,7 @@ pub use simplify::is_power_of_two;
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug, Default)]
 pub struct Node(u32);
 
-/// The graph. Constructors (in `simplify`) fold and simplify exactly.
+/// A graph of scalars and conditions. The constructors (in `simplify`) fold and simplify exactly.
 #[derive(Clone, Default)]
 pub struct Graph {
     ops: Vec<Op>,
@@ -34,7 +35,7 @@ pub struct Graph {
     pub opaques: Vec<Vec<Node>>,
     pub leaves: Vec<Leaf>,
     pub directions: Vec<Direction>,
-    /// The numbers in it that no f64 is.
+    /// The numbers of the graph that are not f64.
     pub decimals: Vec<Decimal>,
     /// True if constants stay as they are written wherever f64 would round them.
     as_written: bool,
@@ -42,7 +43,7 @@ pub struct Graph {
     rounded: bool,
 }
 
-/// The things that a node depends on.
+/// The kinds of inputs on which a node depends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Depends {
     /// True if the node depends on a coordinate, or on the variable of a law.
@@ -58,7 +59,7 @@ pub struct Depends {
 }
 
 impl Depends {
-    /// True if the node depends on anything that has a derivative.
+    /// Returns true if the node depends on an input with a derivative.
     pub fn varies(self) -> bool {
         self.on_q || self.on_t
     }
@@ -85,31 +86,31 @@ impl Depends {
 }
 
 impl Node {
-    /// The number of the node: its operands have smaller ones.
+    /// Returns the index of the node, which is larger than the indices of its operands.
     pub fn index(self) -> usize {
         self.0 as usize
     }
 }
 
 impl Graph {
-    /// A graph in which nothing is rounded: a decimal that no f64 is stays itself, and an operation
-    /// on constants is done only where its result is exact.
+    /// Creates a graph without rounding: a decimal that is not an f64 remains a decimal, and Kin
+    /// folds an operation on constants only if the result is exact.
     pub fn as_written() -> Self {
         Graph { as_written: true, ..Graph::default() }
     }
 
-    /// True if anything in the graph is not quite as written: then [`Graph::as_written`] has
-    /// another graph.
+    /// Returns true if a number of the graph was rounded, so that [`Graph::as_written`] would
+    /// contain another number.
     pub fn is_rounded(&self) -> bool {
         self.rounded
     }
 
-    /// True if constants stay as they are written.
+    /// Returns true if constants remain as the user wrote them.
     pub fn keeps_constants(&self) -> bool {
         self.as_written
     }
 
-    /// True if a node is made of numbers alone.
+    /// Returns true if a node consists of numbers alone.
     pub fn is_number(&self, node: Node) -> bool {
         let given = |n: &Node| {
             matches!(self.op(*n), Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..))
@@ -125,23 +126,25 @@ impl Graph {
         self.depends[node.0 as usize]
     }
 
-    /// True if a choice between values lies behind a node.
+    /// Returns true if a node depends on a selection between values.
     pub fn chooses(&self, node: Node) -> bool {
         self.depends(node).chooses
     }
 
-    /// True if a node moves and grows as an exponential or a power does.
+    /// Returns true if a node varies and grows like an exponential or a power.
     pub fn bursts(&self, node: Node) -> bool {
         self.depends(node).bursts
     }
 
-    /// True if a node is infinite only where it has grown too large for a number: never at a pole.
+    /// Returns true if a node is infinite only by overflow and never at a pole.
     pub fn overflows(&self, node: Node) -> bool {
         let Depends { bursts, has_poles, .. } = self.depends(node);
         bursts && !has_poles
     }
 
-    /// The number that a node always is; of a condition 1 if it always holds, 0 if it never does.
+    /// Returns the constant value of a node, if the node is constant.
+    ///
+    /// The value of a condition is 1 if it is always true, and 0 if it is always false.
     pub fn known_value(&self, node: Node) -> Option<f64> {
         self.constant_value(node)
             .or_else(|| self.truth(node).map(|holds| f64::from(u8::from(holds))))
@@ -216,13 +219,14 @@ impl Graph {
         all.has_poles &= all.varies();
     }
 
-    /// The node of `op` as it stands, not simplified.
+    /// Returns the node of `op` without simplification.
     pub fn raw(&mut self, op: Op) -> Node {
         self.intern(op)
     }
 
-    /// The operation of `node` on other operands. Values of the user's own keep theirs: their text
-    /// names them.
+    /// Returns the operation of `node` with other operands.
+    ///
+    /// A value of the user's program keeps its operands, because the text of the value names them.
     pub fn with_operands(&mut self, node: Node, of: impl Fn(Node) -> Node) -> Node {
         let op = match self.op(node) {
             Op::Leaf(used) => Op::Leaf(self.leaf_with_operands(used, of)),
@@ -248,7 +252,7 @@ impl Graph {
         LeafUse { leaf, what, ..used }
     }
 
-    /// The node of `op`, if there is one.
+    /// Returns the node of `op`, if the graph contains it.
     pub fn existing(&self, op: Op) -> Option<Node> {
         self.index.get(&op).copied()
     }
@@ -257,28 +261,30 @@ impl Graph {
         self.intern(Op::Input(input))
     }
 
-    /// A component of an opaque value.
+    /// Returns the node of a component of an opaque value.
     pub fn opaque(&mut self, number: usize, component: usize) -> Node {
         self.intern(Op::Opaque(number, component))
     }
 
-    /// How many nodes there are.
+    /// Returns the number of nodes.
     pub fn len(&self) -> usize {
         self.ops.len()
     }
 
-    /// All nodes, operands before what is made of them.
+    /// Returns all nodes, with operands before the nodes that use them.
     pub fn nodes(&self) -> impl Iterator<Item = Node> + use<> {
         (0..self.ops.len() as u32).map(Node)
     }
 
-    /// True if there is no node yet.
+    /// Returns true if the graph has no nodes.
     pub fn is_empty(&self) -> bool {
         self.ops.is_empty()
     }
 
-    /// A call of a generic function, known by its arguments that carry derivatives; the same number
-    /// each time.
+    /// Returns the index of a call of a generic function with these arguments that carry
+    /// derivatives.
+    ///
+    /// The same call always has the same index.
     pub fn leaf(&mut self, call: usize, arguments: Vec<Node>) -> usize {
         let leaf = Leaf { call, arguments };
         self.leaves.iter().position(|known| *known == leaf).unwrap_or_else(|| {
@@ -291,7 +297,9 @@ impl Graph {
         self.intern(Op::Leaf(LeafUse { leaf, output, what }))
     }
 
-    /// The number of a direction of a leaf's arguments, the same one each time.
+    /// Returns the index of a direction of a leaf's arguments.
+    ///
+    /// The same direction always has the same index.
     pub fn direction(&mut self, direction: Direction) -> usize {
         self.directions.iter().position(|d| *d == direction).unwrap_or_else(|| {
             self.directions.push(direction);

@@ -1,4 +1,4 @@
-//! The operations of nodes.
+//! Defines the operations of nodes.
 
 use super::Node;
 use crate::{Function, Function2};
@@ -6,25 +6,27 @@ use crate::{Function, Function2};
 /// The inputs that the code around an emitted kernel provides.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Input {
-    /// Part of the state of an argument.
+    /// A part of the state of an argument.
     State(usize, Part),
-    /// Rate of a coordinate of an argument.
+    /// The velocity of a coordinate of an argument.
     Rate(usize, Part),
-    /// Time t.
+    /// The time t.
     Time,
     /// ṫ, the factor of every derivative by time.
     TimeRate,
-    /// The coordinate of a local column, where bodies and their states are not told apart; the
-    /// variable of a law is column 0.
+    /// The coordinate of a local column, in a graph without states of bodies; the variable of a law
+    /// is column 0.
     Column(usize),
-    /// A numeric parameter, by its number.
+    /// A numeric parameter, by its index.
     Parameter(usize),
-    /// A value that was evaluated once a time, by its number; put in before the scheduler.
+    /// A value that the program evaluates once for each time, by its index.
     Timed(usize),
 }
 
-/// Part of a state. `R`, `Theta` and `P` are coordinates, the others depend on them. The value of a
-/// bare coordinate is its `Theta` too.
+/// A part of a state.
+///
+/// `R`, `Theta` and `P` are coordinates; the other parts depend on them. The value of a scalar
+/// coordinate is its `Theta`.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub enum Part {
     R(usize),
@@ -34,7 +36,7 @@ pub enum Part {
     Cos,
 }
 
-/// A coordinate of an argument: what C_q has a column for.
+/// A coordinate of an argument, which has a column in C_q.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
 pub struct Column {
     pub argument: usize,
@@ -73,24 +75,25 @@ impl Comparison {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Op {
     Input(Input),
-    /// Bits of an f64.
+    /// The bits of an f64.
     Constant(u64),
-    /// A number that no f64 is, by its number among [`super::Graph::decimals`]; only in a graph as
-    /// written.
+    /// A number that is not an f64, by its index in [`super::Graph::decimals`]; only in a graph
+    /// without rounding.
     Decimal(usize),
     Add(Node, Node),
     Sub(Node, Node),
     Mul(Node, Node),
     Div(Node, Node),
-    /// a b + c, rounded once where the processor can; made by the scheduler only.
+    /// a b + c, rounded once if the processor supports it; only the scheduler creates this
+    /// operation.
     Fma(Node, Node, Node),
     Neg(Node),
     Call(Function, Node),
     Call2(Function2, Node, Node),
     Powi(Node, i32),
-    /// k-th derivative of a law at x.
+    /// The k-th derivative of a law at x.
     Law(usize, Node, u8),
-    /// One scalar of a value that is only known at run time and has no derivative: its number and
+    /// One component of a value without derivative that is known only at run time: its index and
     /// component.
     Opaque(usize, usize),
     /// An output of a call of the user's generic function.
@@ -105,8 +108,9 @@ pub enum Op {
 }
 
 impl Op {
-    /// The same operation on other operands; what holds none itself, values and calls of the user's
-    /// own too, stays as it is.
+    /// Returns the operation with other operands.
+    ///
+    /// An operation without operands, and a value or call of the user's program, does not change.
     pub fn with_operands(self, of: impl Fn(Node) -> Node) -> Op {
         match self {
             Op::Input(_)
@@ -134,7 +138,7 @@ impl Op {
     }
 }
 
-/// Which number of which evaluation of a leaf.
+/// An output of an evaluation of a leaf.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct LeafUse {
     pub leaf: usize,
@@ -145,28 +149,28 @@ pub struct LeafUse {
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum LeafNumber {
     Value,
-    /// Partial derivative by one of the arguments that depend on coordinates or time.
+    /// The partial derivative by one argument that depends on coordinates or time.
     Partial(usize),
-    /// First derivative along a direction of the arguments, by the direction's number.
+    /// The first derivative along a direction of the arguments, by the index of the direction.
     First(usize),
-    /// Second derivative along a direction of the arguments.
+    /// The second derivative along a direction of the arguments.
     Second(usize),
 }
 
 /// A call of the user's generic function: its arguments that carry derivatives.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Leaf {
-    /// Number of the call as the user wrote it.
+    /// The index of the call in the user's text.
     pub call: usize,
     pub arguments: Vec<Node>,
 }
 
-/// First and second derivatives of a leaf's arguments along the motion.
+/// The first and second derivatives of a leaf's arguments along the motion.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Direction {
     pub leaf: usize,
     pub first: Vec<Node>,
     pub second: Vec<Node>,
-    /// The condition under which each of them moves at all, where there is one.
+    /// For each argument the condition under which it changes; `None` without a condition.
     pub moves: Vec<Option<Node>>,
 }

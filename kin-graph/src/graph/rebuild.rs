@@ -1,11 +1,12 @@
-//! Operations of one graph built anew in another: what has become known meanwhile folds and
-//! simplifies on the way.
+//! Rebuilds operations of one graph in another graph, and folds and simplifies values that are
+//! known by then.
 
 use super::{Graph, Node, Op};
 
 impl Graph {
-    /// The operation on other operands by the constructors of this graph. Inputs, laws and foreign
-    /// values are the caller's: they give `None`.
+    /// Rebuilds the operation with other operands by the constructors of this graph.
+    ///
+    /// Returns `None` for inputs, laws and foreign values, which the caller handles.
     pub fn rebuilt(&mut self, op: Op, of: impl Fn(Node) -> Node) -> Option<Node> {
         Some(match op {
             Op::Input(_) | Op::Opaque(..) | Op::Leaf(_) | Op::Law(..) | Op::Decimal(_) => {

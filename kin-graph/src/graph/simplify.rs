@@ -1,7 +1,9 @@
-//! Constructors of the graph. Each folds and simplifies exactly: zeros, ones, signs, common
-//! factors, constants; never by a tolerance. Constants are folded as f64 computes them; in a graph
-//! as written only where that is exact. `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x;
-//! everything else keeps the value up to rounding.
+//! Implements the constructors of the graph, which fold and simplify exactly: zeros, ones, signs,
+//! common factors, constants.
+//!
+//! No simplification uses a tolerance. Kin folds constants as f64 computes them; in a graph without
+//! rounding only if the result is exact. `0 · x → 0` and `x − x → 0` hide a NaN or infinity in x.
+//! All other simplifications keep the value up to rounding.
 
 use super::{Graph, Input, Node, Op, Part};
 use crate::{Function, Function2};
@@ -269,7 +271,7 @@ impl Graph {
         }
     }
 
-    /// 1 − x² as (1 − x)(1 + x), which keeps its digits where x is near 1.
+    /// Returns 1 − x² as (1 − x)(1 + x), which keeps its digits if x is near 1.
     pub fn one_minus_square(&mut self, x: Node) -> Node {
         let one = self.constant(1.0);
         let below = self.sub(one, x);
@@ -339,7 +341,7 @@ impl Graph {
     }
 }
 
-/// True if multiplying by x only moves the exponent.
+/// Returns true if multiplication by x only changes the exponent.
 pub fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x > 0.0 && x.to_bits() & ((1 << 52) - 1) == 0
 }

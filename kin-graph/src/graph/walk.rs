@@ -3,15 +3,17 @@
 use super::{Column, Graph, Input, LeafNumber, LeafUse, Node, Op, Part};
 
 impl Graph {
-    /// The nodes that `node` is computed from.
+    /// Returns the operands of `node`.
     pub fn operands(&self, node: Node) -> Vec<Node> {
         let mut operands = Vec::new();
         self.each_operand(node, |operand| operands.push(operand));
         operands
     }
 
-    /// The nodes whose numbers make that of `node`: its operands, of a selection the one that is
-    /// taken, of a condition none.
+    /// Returns the nodes from whose numbers `node` is computed.
+    ///
+    /// For a selection the result is the selected operand, for a condition it is empty, and
+    /// otherwise the operands.
     pub fn numbers_behind(&self, node: Node, holds: impl Fn(Node) -> bool) -> Vec<Node> {
         match self.op(node) {
             Op::Select(c, a, b) => vec![if holds(c) { a } else { b }],
@@ -20,7 +22,7 @@ impl Graph {
         }
     }
 
-    /// Shows the nodes that `node` is computed from, in their order.
+    /// Passes the operands of `node` to `show`, in order.
     pub fn each_operand(&self, node: Node, mut show: impl FnMut(Node)) {
         match self.op(node) {
             Op::Input(_) | Op::Constant(_) | Op::Decimal(_) | Op::Truth(_) => {}
@@ -49,7 +51,7 @@ impl Graph {
         operands
     }
 
-    /// All columns that `outputs` can depend on.
+    /// Returns all columns on which `outputs` can depend.
     pub fn columns(&self, outputs: &[Node]) -> Vec<Column> {
         let mut columns: Vec<Column> = Vec::new();
         for node in self.reachable(outputs) {
@@ -63,8 +65,7 @@ impl Graph {
         columns
     }
 
-    /// `nodes` and what they are computed from, in order of creation, without going beyond what is
-    /// known already.
+    /// Returns `nodes` and their operands, in order of creation, up to known nodes.
     pub fn unknown(&self, nodes: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let mut seen = vec![false; self.ops.len()];
         let mut open = nodes.to_vec();
@@ -80,13 +81,15 @@ impl Graph {
         found
     }
 
-    /// Every node needed for `outputs`, in order of creation: operands come before their users.
+    /// Returns every node that `outputs` need, in order of creation, so that operands come before
+    /// their users.
     pub fn reachable(&self, outputs: &[Node]) -> Vec<Node> {
         self.reachable_from(outputs, |_| false)
     }
 
-    /// The same where the operands of `known` nodes are not needed. One pass backwards sees each
-    /// node after all of its users.
+    /// Returns every node that `outputs` need, without the operands of `known` nodes.
+    ///
+    /// One backward pass visits each node after all of its users.
     pub fn reachable_from(&self, outputs: &[Node], known: impl Fn(Node) -> bool) -> Vec<Node> {
         let last = outputs.iter().max().map_or(0, |last| last.index() + 1);
         let mut needed = vec![false; last];

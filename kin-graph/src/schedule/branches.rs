@@ -1,10 +1,10 @@
-//! Which nodes are needed in one branch of a choice only: long branches become code of which only
-//! the one that is taken runs.
+//! Finds the nodes that only one branch of a choice needs, so that emitted code runs only the
+//! selected branch.
 //!
-//! All selections by one condition that lie equally deep below the outputs are one choice, so that
-//! a value and its derivatives ask once. A node belongs to the innermost branch that holds all of
-//! its uses. A choice of few operations stays a selection: a processor makes both values faster
-//! than it asks.
+//! All selections by one condition at the same depth below the outputs are one choice, so that a
+//! value and its derivatives test the condition once. A node belongs to the innermost branch that
+//! contains all of its uses. A choice with few operations remains a selection, because a processor
+//! computes both values faster than it branches.
 
 use std::collections::BTreeMap;
 
@@ -24,17 +24,17 @@ type Scope = usize;
 /// The whole code.
 const WHOLE: Scope = 0;
 
-/// Selections by one condition that are made at once.
+/// Selections by one condition that the code makes together.
 #[derive(Clone)]
 pub struct Choice {
     pub condition: Node,
     /// The selections, each with its value if the condition holds and its value otherwise.
     pub selections: Vec<Node>,
-    /// Nodes from outside that a branch reads.
+    /// Nodes from outside a branch that the branch reads.
     pub reads: Vec<Node>,
 }
 
-/// The choices of some code, and which selection belongs to which.
+/// The choices of some code, and the choice of each selection.
 #[derive(Default)]
 pub struct Branches {
     choices: Vec<Choice>,
@@ -47,13 +47,14 @@ pub struct Branches {
 }
 
 impl Branches {
-    /// No choice: every selection computes both values.
+    /// Returns branches without choices: every selection computes both values.
     pub fn none() -> Self {
         Branches::default()
     }
 
-    /// The choices worth asking for among `outputs`, without going beyond the `given` nodes; tables
-    /// are used where they `can` be read.
+    /// Finds the choices among `outputs` that save operations, up to the `given` nodes.
+    ///
+    /// Kin uses a table if `can` says that the code can read it.
     pub fn new(
         g: &Graph,
         outputs: &[Node],
@@ -90,7 +91,7 @@ impl Branches {
         places.into_branches(g, tables)
     }
 
-    /// The table in which a node is found, by its number, and its column.
+    /// Returns the index of the table that contains a node, and its column.
     pub fn cell(&self, node: Node) -> Option<(usize, usize)> {
         let (lookup, column) = self.cells.get(node.index()).copied().unwrap_or_default();
         Some((lookup.checked_sub(1)? as usize, column.checked_sub(1)? as usize))
@@ -100,7 +101,7 @@ impl Branches {
         &self.lookups[number]
     }
 
-    /// The choice that a node is made by.
+    /// Returns the choice to which a node belongs.
     pub fn choice(&self, node: Node) -> Option<&Choice> {
         match self.choice_of.get(node.index()) {
             None | Some(0) => None,
@@ -135,8 +136,8 @@ impl Branches {
         found
     }
 
-    /// Shows what has to be known before a node is computed: its operands, of a choice its
-    /// condition and what its branches read.
+    /// Passes the nodes that must be known before a node to `show`: its operands, or for a choice
+    /// its condition and the nodes that its branches read.
     pub fn each_operand(&self, g: &Graph, node: Node, mut show: impl FnMut(Node)) {
         if let Some((lookup, _)) = self.cell(node) {
             return self.lookups[lookup].searched().for_each(show);

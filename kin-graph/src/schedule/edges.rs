@@ -1,9 +1,12 @@
-//! Where rounding decides: the argument of √ at 0, a comparison of equal numbers. There a b − c d
-//! must be 0 where both products are the same number, which the fused form does not promise.
+//! Finds the nodes at which rounding decides: the argument of √ at 0, a comparison of equal
+//! numbers.
+//!
+//! At such a node a b − c d must be 0 if both products are equal, which the fused form does not
+//! guarantee.
 
 use crate::{Function, Function2, Graph, Node, Op};
 
-/// Which nodes keep the form that they have, by number of the node.
+/// Returns, for each node, true if the node must keep its form.
 pub fn exact(g: &Graph, nodes: &[Node]) -> Vec<bool> {
     let mut exact = vec![false; g.len()];
     let mut pinned = vec![false; g.len()];

@@ -1,8 +1,8 @@
-//! Sums become chains of fused multiply-adds: a b + c d + e is fma(a, b, fma(c, d, e)).
+//! Converts sums to chains of fused multiply-adds: a b + c d + e becomes fma(a, b, fma(c, d, e)).
 //!
-//! A product that several sums share is computed once where a sum can begin with it, which saves
-//! that sum a multiplication; elsewhere each sum multiplies for itself, since a fused product costs
-//! nothing.
+//! If a sum can begin with a product that several sums share, Kin computes the product once, which
+//! saves the sum a multiplication. Otherwise each sum contains the product, because a fused product
+//! needs no extra operation.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
@@ -16,7 +16,7 @@ const MOST_TERMS: usize = 8;
 /// A term of a sum and whether it is subtracted.
 type Term = (bool, Node);
 
-/// The outputs with fused sums.
+/// Returns the outputs with fused sums.
 pub fn fuse(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     let nodes = g.reachable(outputs);
     let mut fusion = Fusion::new(g, outputs, &nodes);

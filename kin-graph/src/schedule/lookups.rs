@@ -1,25 +1,27 @@
-//! Numbers that are looked up: chains of selections between given numbers, by tests of one number,
-//! are rows and columns of a table. Chains by the same tests find their row once.
+//! Finds chains of selections between given numbers, by tests of one number, which become tables.
+//!
+//! Chains with the same tests share a table and find their row once.
 
 use super::tables::{Chain, Test, chain, depths, is_given};
 use crate::{Comparison, Graph, Node};
 
-/// A table: its row is that of the first tests that hold, else the last one.
+/// A table. Its row is the row of the first tests that are true, otherwise the last row.
 pub struct Lookup {
     /// The tests that must hold together.
     pub tests: Vec<Test>,
-    /// Of each test the numbers, a row each but for the last.
+    /// For each test the numbers, one for each row except the last.
     pub knots: Vec<Vec<Node>>,
-    /// The numbers that are looked up, by column.
+    /// The numbers of the table, by column.
     pub columns: Vec<Vec<Node>>,
     chain: Chain,
 }
 
-/// Of each node the lookup and the column that it is, counted from 1; 0 of all others.
+/// For each node its lookup and its column, counted from 1; 0 for a node that is in no lookup.
 pub type Cells = Vec<(u32, u32)>;
 
-/// The look-ups among `nodes` that `can` be read; a chain that is part of another one is none of
-/// its own.
+/// Returns the lookups among `nodes` that `can` be read.
+///
+/// A chain that is part of another chain is not a separate lookup.
 pub fn lookups(g: &Graph, nodes: &[Node], can: impl Fn(&Lookup) -> bool) -> (Vec<Lookup>, Cells) {
     let Some(depths) = depths(g, nodes) else { return (vec![], vec![]) };
     let (mut found, mut cells): (Vec<Lookup>, Cells) = (vec![], vec![(0, 0); g.len()]);
@@ -91,13 +93,15 @@ impl Lookup {
             .collect();
     }
 
-    /// The nodes that are looked for.
+    /// Returns the nodes whose rows the lookup searches.
     pub fn searched(&self) -> impl Iterator<Item = Node> + '_ {
         self.tests.iter().map(|test| test.of)
     }
 
-    /// Where all knots are constants in order, so that the row is found by halving: of each test
-    /// whether it begins to hold somewhere, and not ends to.
+    /// Returns the direction of each test, if all knots are sorted constants, so that bisection can
+    /// find the row.
+    ///
+    /// The direction is true if the test becomes true at a knot, and false if it becomes false.
     pub fn begins(&self, g: &Graph) -> Option<Vec<bool>> {
         let begins = |(test, knots): (&Test, &Vec<Node>)| {
             let numbers: Vec<f64> =

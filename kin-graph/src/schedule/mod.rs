@@ -1,13 +1,14 @@
-//! From the graph as mathematics to the graph as code: the same values with fewer operations, and
-//! the order in which to compute them.
+//! Prepares a graph for code: computes the same values with fewer operations, and chooses the order
+//! of computation.
 //!
-//! The graph that differentiation works on is canonical: powers of two and signs stand outside,
-//! sums have two terms. That is best for finding equal expressions and bad for a processor. Here
-//! powers of two go back to where they cost nothing (`scale`), sums become chains of fused
-//! multiply-adds (`fuse`), and operations are put in an order that needs few registers (`order`),
-//! of long branches only the one that is taken (`branches`). Last bits may change; no tolerance is
-//! used. All of it is linear in the number of nodes: it runs whenever a user's crate is compiled,
-//! and without optimization.
+//! Differentiation uses a canonical graph: powers of two and signs are outside of products, and
+//! sums have two terms. The canonical form is good for finding equal expressions and bad for a
+//! processor. This module moves powers of two to places at which they cost nothing (`scale`) and
+//! converts sums to chains of fused multiply-adds (`fuse`). It also chooses an order that needs few
+//! registers (`order`), and code that runs only the selected branch of a long choice (`branches`).
+//! The last bits of results may change; no pass uses a tolerance. The time of all passes is linear
+//! in the number of nodes, because the passes run without optimization whenever a user's crate is
+//! compiled.
 
 mod branches;
 mod edges;
@@ -54,13 +55,15 @@ impl<T> Lists<T> {
     }
 }
 
-/// Nodes with the values of `outputs`, their sums fused: [`prepare`] without a look at powers of
-/// two, of which large graphs gain nothing.
+/// Returns nodes with the values of `outputs` and fused sums.
+///
+/// Unlike [`prepare`], the function does not move powers of two, because large graphs gain nothing
+/// from that.
 pub fn fused(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     fuse::fuse(g, outputs)
 }
 
-/// Nodes with the values of `outputs`, made for few operations.
+/// Returns nodes that compute the values of `outputs` with few operations.
 pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     let outside = fuse::fuse(g, outputs);
     let Some(inwards) = scale::powers_inwards(g, outputs) else { return outside };
@@ -68,7 +71,9 @@ pub fn prepare(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     if operations(g, &inwards) < operations(g, &outside) { inwards } else { outside }
 }
 
-/// How many operations `outputs` take; signs are free, a processor adds and subtracts alike.
+/// Returns the number of operations of `outputs`.
+///
+/// Signs are free, because a processor adds and subtracts at the same cost.
 pub fn operations(g: &Graph, outputs: &[Node]) -> usize {
     let free = |node: &Node| {
         matches!(

@@ -1,14 +1,14 @@
-//! In which order to compute: each output as soon as it can be had, and next the one after which
-//! fewest values wait for a later use.
+//! Chooses the order of computation: each output as early as possible, and next the output after
+//! which the fewest values remain for later use.
 
 use super::{Branches, Lists};
 use crate::{Graph, Node, Op};
 
-/// Nodes to compute, and the number of the output that is complete then.
+/// Nodes to compute, and the index of the output that is complete after them.
 pub struct Group {
     pub nodes: Vec<Node>,
     pub output: usize,
-    /// True if any of the nodes is more than a sign.
+    /// True if at least one node is more than a sign.
     pub computes: bool,
 }
 
@@ -18,9 +18,11 @@ type Code<'a> = (&'a Graph, &'a Branches);
 /// So many outputs, those that take the least, are looked at before one is chosen.
 const CANDIDATES: usize = 8;
 
-/// Every node needed for `outputs` beyond those that are `given`, operands before their users, cut
-/// where an output is complete. What only a branch of a choice needs is in the order of that
-/// branch.
+/// Returns every node that `outputs` need except the `given` nodes, in groups that end where an
+/// output is complete.
+///
+/// Operands come before their users. The order of a branch contains the nodes that only this branch
+/// needs.
 pub fn order(
     g: &Graph,
     branches: &Branches,

@@ -1,10 +1,11 @@
-//! Powers of two: 2 (a b + c d) is (2 a) b + (2 c) d, which costs less where 2 a and 2 c serve
-//! other sums too.
+//! Moves powers of two inwards: 2 (a b + c d) becomes (2 a) b + (2 c) d, which costs less if other
+//! sums also need 2 a and 2 c.
 
 use super::{Branches, Lists};
 use crate::{Graph, Input, Node, Op, is_power_of_two};
 
-/// The outputs with all powers of two inwards as far as they go; `None` where there are none.
+/// Returns the outputs with all powers of two moved inwards as far as possible, or `None` without
+/// powers of two.
 pub fn powers_inwards(g: &mut Graph, outputs: &[Node]) -> Option<Vec<Node>> {
     let nodes = g.reachable(outputs);
     if !nodes.iter().any(|&node| power_of_two(g, node).is_some()) {

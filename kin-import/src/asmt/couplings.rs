@@ -1,4 +1,4 @@
-//! Couplings of turns and ways: gears, screws, racks.
+//! Reads couplings of rotations and displacements: gears, screws, racks.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Joints, and limits of what they measure.
+//! Reads joints, and the limits of their measures.
 
 use kin::joints::spatial;
 use kin::mechanism::IntoConstraint;
@@ -10,7 +10,7 @@ use crate::formula::Formula;
 use crate::imported::Mistake;
 use crate::tree::Tree;
 
-/// A joint that was read: its path, and its markers with their paths.
+/// A joint from the file: its path, and its markers with their paths.
 pub struct Joint {
     pub path: String,
     pub markers: [String; 2],
@@ -69,7 +69,9 @@ fn distance(of: &Tree<'_>) -> Result<f64, Mistake> {
 }
 
 impl Reading {
-    /// Adds a joint. Body J of the file is body i of Kin, since the file measures J in I.
+    /// Adds a joint to the mechanism.
+    ///
+    /// Body J of the file is body i of Kin, because the file measures J relative to I.
     pub fn joint(&mut self, of: &Tree<'_>) -> Result<(), Mistake> {
         let kind = of.text;
         if !KINDS.contains(&kind) {
@@ -255,7 +257,7 @@ impl Reading {
         if i.global(2).dot(j.global(2)) < 0.0 { -j.axis(2) } else { j.axis(2) }
     }
 
-    /// Adds a limit of a turn or a slide.
+    /// Adds a limit of a rotation or a slide to the mechanism.
     pub fn limit(&mut self, of: &Tree<'_>) -> Result<(), Mistake> {
         let measure = match of.text {
             "RotationLimit" => "angle",

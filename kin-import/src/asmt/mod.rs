@@ -1,8 +1,9 @@
-//! The reader of `.asmt`, the files of OndselSolver.
+//! Reads `.asmt` files, the files of OndselSolver.
 //!
-//! A file is an assembly of parts. Parts and the assembly itself (the ground) hold reference
-//! points, these hold markers; joints and motions name two markers, I and J, by their paths. The
-//! axis of a joint is z of its markers; angles and ways are those of J as I sees them.
+//! A file is an assembly of parts. Parts and the assembly itself (the ground) contain reference
+//! points, and reference points contain markers. Joints and motions name two markers, I and J, by
+//! their paths. The axis of a joint is the z-axis of its markers. Angles and displacements are
+//! those of J relative to I.
 
 mod couplings;
 mod joints;
@@ -20,8 +21,8 @@ const MOST_TIMES: f64 = 1e6;
 
 /// Reads the text of an `.asmt` file.
 ///
-/// Parts become spatial bodies with their masses, joints and motions constraints under their names,
-/// limits those of measures; units are metre, second, kilogram.
+/// Parts become spatial bodies with their masses. Joints and motions become constraints with their
+/// names, and limits become limits of measures. The units are metre, second and kilogram.
 ///
 /// ```
 /// # fn main() -> Result<(), kin_import::Mistake> {
@@ -33,10 +34,12 @@ const MOST_TIMES: f64 = 1e6;
 /// # }
 /// ```
 ///
-/// Errors: a file that is none of these, a number that is none, a marker that nothing has, a law
-/// that is not understood, each with its line. What Kin has no place for is no error:
-/// [`Imported::left_out`]. It has also what is incomplete: an empty name, a motion of no joint, a
-/// joint between two markers of one body.
+/// Errors, each with its line: the text is not an `.asmt` file; a number is invalid; no marker has
+/// a path; Kin cannot read a law.
+///
+/// Parts of the file that Kin cannot represent are not errors: [`Imported::left_out`] lists them.
+/// The list also contains incomplete parts: an empty name, a motion without a joint, a joint
+/// between two markers of one body.
 pub fn asmt(text: &str) -> Result<Imported, Mistake> {
     let file = Tree::read(text)?;
     let assembly = file.get("Assembly").ok_or_else(|| {

@@ -1,4 +1,4 @@
-//! Motions: turns, ways and whole poses by laws as text.
+//! Reads motions: rotations, displacements and whole poses by laws as text.
 
 use kin::joints::drivers::spatial as drivers;
 use kin::{Axis, EulerParameters, Law, Mat3, Vec3};
@@ -11,7 +11,7 @@ use crate::imported::Mistake;
 use crate::tree::Tree;
 
 impl Reading {
-    /// Adds a motion.
+    /// Adds a motion to the mechanism, as a driver.
     pub fn motion(&mut self, of: &Tree<'_>) -> Result<(), Mistake> {
         if !["RotationalMotion", "TranslationalMotion", "GeneralMotion"].contains(&of.text) {
             self.leave(of, "Kin does not read motions of this kind", true);

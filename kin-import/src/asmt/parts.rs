@@ -1,4 +1,4 @@
-//! Parts with their masses, and markers by their paths.
+//! Reads parts with their masses, and markers by their paths.
 
 use std::collections::HashMap;
 
@@ -12,27 +12,27 @@ use crate::tree::Tree;
 /// rounded.
 const ROUNDED: f64 = 1e-4;
 
-/// A frame on a body.
+/// A frame that is fixed on a body.
 #[derive(Clone, Copy)]
 pub struct Marker {
     pub body: SpatialBody,
-    /// Its origin in the body's frame.   \[m\]
+    /// The origin of the marker in the body's frame. \[m\]
     pub u: Vec3,
-    /// Its axes in the body's frame, as columns.
+    /// The axes of the marker in the body's frame, as columns.
     pub a: Mat3,
-    /// The axes of the body where it stands in the file.
+    /// The axes of the body in its pose in the file.
     pub stand: Mat3,
-    /// The marker's origin there, in global coordinates.   \[m\]
+    /// The origin of the marker in the pose of the file, in global coordinates. \[m\]
     pub place: Vec3,
 }
 
 impl Marker {
-    /// One of its axes, 0 for x, in the body's frame.
+    /// Returns axis k of the marker (0 for x) in the body's frame.
     pub fn axis(&self, k: usize) -> Vec3 {
         self.a.column(k)
     }
 
-    /// The same where the part stands in the file.
+    /// Returns axis k of the marker (0 for x) in global components, in the pose of the file.
     pub fn global(&self, k: usize) -> Vec3 {
         self.stand * self.axis(k)
     }
@@ -43,10 +43,10 @@ impl Marker {
 pub struct Markers(HashMap<String, Marker>);
 
 impl Markers {
-    /// The markers I and J that a joint or a motion names; `None` where it names one of them or
-    /// none.
+    /// Returns the markers I and J of a joint or a motion, or `None` if the joint or motion does
+    /// not name both.
     ///
-    /// Errors: a marker that nothing has.
+    /// Errors: no marker has the path.
     pub fn of(&self, of: &Tree<'_>) -> Result<Option<[Marker; 2]>, Mistake> {
         let (Ok(i), Ok(j)) = (of.value("MarkerI"), of.value("MarkerJ")) else { return Ok(None) };
         let named = |(path, line): (&str, usize)| {
@@ -96,7 +96,7 @@ fn frame(of: &Tree<'_>) -> Result<(Vec3, Mat3), Mistake> {
 }
 
 impl Reading {
-    /// The ground, which is the assembly itself, and all parts.
+    /// Adds the ground, which is the assembly itself, and all parts.
     pub fn parts(&mut self, assembly: &Tree<'_>) -> Result<(), Mistake> {
         let path = self.root.clone();
         let ground = SpatialBody::from(self.mechanism.ground());

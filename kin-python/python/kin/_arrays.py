@@ -1,4 +1,4 @@
-"""NumPy's functions of arrays, on vectors and numbers that are traced."""
+"""Applies NumPy's functions of arrays to traced vectors and numbers."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ KNOWN: dict[Any, Callable[..., Any]] = {
 
 
 def apply(function: Any, args: Any, keywords: Any) -> Any:
-    """A function of NumPy that was called with something traced."""
+    """Evaluates a NumPy function that the user called with a traced value."""
     known = KNOWN.get(function)
     if known is None:
         name = getattr(function, "__name__", str(function))

@@ -1,4 +1,6 @@
-"""`@kin.constraint`: a Python function C(q, t), traced once, as an equation of Kin's own language."""
+"""Defines `@kin.constraint`, which traces a Python function C(q, t) once and writes it as an equation in Kin's
+language.
+"""
 
 from __future__ import annotations
 
@@ -45,7 +47,7 @@ _RUST = set("abstract become box const crate do dyn enum extern final fn impl le
 
 @dataclass(frozen=True)
 class Argument:
-    """An argument of a traced function: its name, its type in Kin's language, how many of them as a list."""
+    """An argument of a traced function: its name, its type in Kin's language, and its count if it is a list."""
 
     name: str
     kind: str
@@ -54,23 +56,23 @@ class Argument:
 
     @property
     def is_body(self) -> bool:
-        """True of bodies and coordinates."""
+        """True for bodies and coordinates."""
         return self.kind in _BODIES.values()
 
     @property
     def written(self) -> str:
-        """Its name in the text."""
+        """The name of the argument in the text."""
         return f"r#{self.name}" if self.name in _RUST else self.name
 
     @property
     def type(self) -> str:
-        """Its type in the text."""
+        """The type of the argument in the text."""
         return self.kind if self.count is None else f"[{self.kind}; {self.count}]"
 
 
 @dataclass(frozen=True)
 class Constraint:
-    """An equation on bodies, with its parameters: for `m.add(name, …)`."""
+    """An equation on bodies, with its parameters, for `m.add(name, …)`."""
 
     equation: "Equation"
     bodies: tuple[Union[Handle, Coordinate], ...]
@@ -88,7 +90,7 @@ class Constraint:
 
 
 class Equation:
-    """An equation C(q, t) = 0 that was read: called with bodies and parameters it gives a constraint."""
+    """An equation C(q, t) = 0 that Kin has read. Call it with bodies and parameters to create a constraint."""
 
     def __init__(self, text: str, arguments: Sequence[Argument], native: "_native.Equation") -> None:
         self.text, self.arguments, self._native = text, tuple(arguments), native
@@ -137,10 +139,10 @@ def _bound(
 
 
 class Traced:
-    """A function under `@kin.constraint`: called with bodies and parameters it gives a constraint.
+    """A function under `@kin.constraint`. Call it with bodies and parameters to create a constraint.
 
-    `function` is the function as it is written, `text` its equation in Kin's language, and calling `plain(…)` with
-    states of plain numbers gives the rows of C as a list.
+    `function` is the Python function. `text` is its equation in Kin's language. `plain(…)` evaluates the function with
+    states of plain numbers and returns the rows of C as a list.
     """
 
     #: What stands before the function in the text.
@@ -187,8 +189,10 @@ class Traced:
         return self._known[key]
 
     def plain(self, *args: Any, **keywords: Any) -> list[float]:
-        """The rows of C of the function as it is written: its arguments are plain numbers and states, `kin.Planar(x,
-        y, theta)` and the like, time among them."""
+        """Evaluates the Python function with plain numbers and returns the rows of C.
+
+        The arguments are plain numbers and states, such as `kin.Planar(x, y, theta)`, and include the time.
+        """
         return [float(one) for one in _flat(self.function(*args, **keywords), self._place)[0]]
 
     def __repr__(self) -> str:
@@ -203,14 +207,14 @@ def constraint(function: Callable[..., Any]) -> Traced: ...
 @overload
 def constraint(*, name: Optional[str] = None) -> Callable[[Callable[..., Any]], Traced]: ...
 def constraint(function: Any = None, *, name: Optional[str] = None) -> Any:
-    """Makes a constraint C(q, t) = 0 of a Python function that looks like the textbook.
+    """Creates a constraint C(q, t) = 0 from a Python function that contains the equation.
 
-    The function is called once, with stand-ins for its arguments, which record what it does; Kin makes the residual,
-    C_q, C_t and Q_d of that. Arguments say what a thing is by their annotations: `kin.Planar`, `kin.Spatial`,
-    `kin.Coord`, `kin.Time`; parameters are `float` (or nothing), `kin.Vec2`, `kin.Vec3`, `kin.Axis`, `kin.Law`,
-    `kin.EulerParameters`, matrices; `Annotated[Sequence[kin.Coord], 3]` are three coordinates, and so of the others.
-    An argument of the type `int`, `bool` or `str` is known while the function is traced. The result is a number, a
-    vector, or a list of them: one row each.
+    Kin calls the function once with placeholders for its arguments, which record the operations. From this record Kin
+    derives the residual, C_q, C_t and Q_d. Annotations give the types of arguments: `kin.Planar`, `kin.Spatial`,
+    `kin.Coord` and `kin.Time`. Parameters are `float` (the default), `kin.Vec2`, `kin.Vec3`, `kin.Axis`, `kin.Law`,
+    `kin.EulerParameters` or matrices. `Annotated[Sequence[kin.Coord], 3]` gives three coordinates; the same form works
+    for the other types. Kin knows the value of an argument of the type `int`, `bool` or `str` while it traces the
+    function. The function returns a number, a vector, or a list of both; each number is one row.
 
     Raises `kin.ConstraintError` at the user's line.
     """
@@ -220,7 +224,7 @@ def constraint(function: Any = None, *, name: Optional[str] = None) -> Any:
 
 
 class LawFunction:
-    """A function of one variable and parameters under `@kin.law`: called with the parameters it gives a law."""
+    """A function of one variable and parameters under `@kin.law`. Call it with the parameters to create a law."""
 
     def __init__(self, name: str, text: str, arguments: Sequence[Argument], place: tuple[str, int]) -> None:
         self.name, self.text, self.arguments = name, text, tuple(arguments)
@@ -267,11 +271,14 @@ def _checked_law(
 
 
 def law(function: Callable[..., Any]) -> Any:
-    """Makes a law f(x) of a Python function of one variable, with its derivatives to third order; traced as a
-    constraint is. Constants of the program around it are read once, when the function is traced.
+    """Creates a law f(x), with derivatives up to the third, from a Python function of one variable.
 
-    A function of more than one argument has parameters: numbers, vectors (`u: kin.Vec2`) or laws (`inner: kin.Law`), and it
-    becomes a function of these that gives a law: `@kin.law def lift(phi, h): …`, then `lift(0.02)` or `lift(h=m.dimension("h", 0.02))`.
+    Kin traces the function like a constraint. Kin reads constants of the surrounding program once, when it traces the
+    function.
+
+    A function with more than one argument has parameters: numbers, vectors (`u: kin.Vec2`) or laws (`inner: kin.Law`).
+    Such a function becomes a function of the parameters that returns a law: `@kin.law def lift(phi, h): …`, then
+    `lift(0.02)` or `lift(h=m.dimension("h", 0.02))`.
 
     Raises `kin.ConstraintError` at the user's line.
     """
@@ -319,9 +326,9 @@ def _arguments_of_law(function: Callable[..., Any], name: str, place: tuple[str,
 
 
 def equation(text: str) -> Equation:
-    """An equation from text in Kin's language, `fn name(i: Planar, …, k: f64) -> f64 { … }`.
+    """Reads an equation from text in Kin's language, `fn name(i: Planar, …, k: f64) -> f64 { … }`.
 
-    Raises `kin.ConstraintError` with every mistake in it, its line, column and cure.
+    Raises `kin.ConstraintError` with every mistake in the text, each with line, column and suggestion.
     """
     native, mistakes = _native.Equation.read(text)
     if native is None:
@@ -511,8 +518,10 @@ def _innermost(what: str) -> Trace:
 
 
 def require(condition: Any, why: str) -> None:
-    """What must hold of the parameters, inside of a function under `@kin.constraint`; a mechanism refuses the constraint
-    by these words where it does not."""
+    """States a condition on the parameters, inside a function under `@kin.constraint`.
+
+    If the condition is false, a mechanism refuses the constraint with the given text.
+    """
     if isinstance(condition, Condition):
         _innermost("require").requirements.append((condition._node, why))
     elif not condition:
@@ -520,7 +529,10 @@ def require(condition: Any, why: str) -> None:
 
 
 def branch(condition: Any, wrong: str) -> None:
-    """What tells the pose that is meant from its mirror image, where the equation cannot; `wrong` says what is wrong."""
+    """States a condition that distinguishes the intended pose from its mirror image, if the equation cannot.
+
+    `wrong` describes the mistake in a pose that violates the condition.
+    """
     if not _mistakes.OPEN.traces and isinstance(condition, (bool, np.bool_)):
         return  # the function runs on plain numbers
     trace = _innermost("branch")
@@ -530,8 +542,10 @@ def branch(condition: Any, wrong: str) -> None:
 
 
 def measure(name: str, value: Any, unit: str) -> None:
-    """Something that can be asked of the constraint by name, `system.measure(motion, "slot.slide")`; its rates are
-    Kin's."""
+    """Defines a measure of the constraint by name, for `system.measure(motion, "slot.slide")`.
+
+    Kin computes the derivatives of the measure.
+    """
     if not _mistakes.OPEN.traces and isinstance(value, (int, float)):
         return  # the function runs on plain numbers
     trace = _innermost("measure")
@@ -542,7 +556,7 @@ def measure(name: str, value: Any, unit: str) -> None:
 
 
 def parameters_of(constraint: Constraint, mechanism: str, own: str) -> list[tuple[str, Any]]:
-    """The parameters as the native part takes them: numbers in order, or laws."""
+    """Converts the parameters for the native module: numbers in order, or laws."""
     of = {one.name: one for one in constraint.equation.arguments}
     name = constraint.equation.name
     return [(key, numbers_of(name, mechanism, own, of[key], value)) for key, value in constraint.parameters.items()]

@@ -1,4 +1,4 @@
-"""How a motion changes with parameters, and what tolerances of dimensions make of it."""
+"""Computes derivatives of a motion by parameters, and the effect of tolerances of dimensions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 @short
 @dataclass(frozen=True)
 class Extreme:
-    """A place where a measure turns round."""
+    """A time at which a measure has an extreme."""
 
     t: float
     value: float
@@ -28,7 +28,9 @@ class Extreme:
 @short
 @dataclass(frozen=True)
 class Extremes:
-    """The extremes of a measure over a motion, with times as exact as poses can be solved."""
+    """The extremes of a measure over a motion. Kin solves the pose at each extreme, so times have the accuracy of the
+    solver.
+    """
 
     name: str
     unit: str
@@ -55,7 +57,7 @@ def _of(of: Any) -> Any:
 @short
 @dataclass(frozen=True)
 class Sensitivity:
-    """∂q/∂p, ∂q̇/∂p and ∂q̈/∂p by one parameter: a row a time, a column a coordinate."""
+    """∂q/∂p, ∂q̇/∂p and ∂q̈/∂p by one parameter p: a row for each time, a column for each coordinate."""
 
     name: str
     q: Any
@@ -66,7 +68,9 @@ class Sensitivity:
 @short
 @dataclass(frozen=True)
 class ExtremeSensitivity:
-    """How the time and the value of an extreme of a measure change with a parameter.   [s, unit of the measure, a unit of p]"""
+    """The derivatives of the time and the value of an extreme of a measure by a parameter. [s, unit of the measure, per
+    unit of p]
+    """
 
     name: str
     t: float
@@ -74,7 +78,7 @@ class ExtremeSensitivity:
 
 
 class Sensitivities:
-    """The derivatives of a motion by parameters and dimensions, exact; `system.sensitivities` gives them."""
+    """The exact derivatives of a motion by parameters and dimensions, from `system.sensitivities`."""
 
     def __init__(
         self, system: "_native.System", motion: Motion, names: list[str], measured: Callable[[Measure], Any]
@@ -85,28 +89,33 @@ class Sensitivities:
         self.motion = motion
 
     def all(self) -> dict[str, Sensitivity]:
-        """Those of all coordinates, by each parameter."""
+        """Returns the derivatives of all coordinates by each parameter."""
         n = len(self.motion.names)
         return {name: Sensitivity(name, *(array(one, n) for one in lists)) for name, lists in self._native.all()}
 
     def of(self, what: Measure) -> dict[str, Quantity]:
-        """Those of a measure and its rates, by each parameter, at fixed times."""
+        """Returns the derivatives of a measure and its time derivatives by each parameter, at fixed times."""
         asked, times = self._measured(what), self.motion.times
         title = asked if isinstance(asked, str) else what(self.motion).name  # type: ignore[operator]
         found = self._native.of(asked)
         return {name: Quantity._of((f"d {title} / d {name}", "", lists), times) for name, lists in found}
 
     def extreme(self, what: Measure, extreme: Extreme) -> dict[str, ExtremeSensitivity]:
-        """How time and value of an extreme of a measure change: dt/dp = −ẏ_p/ÿ, the value by y_p. The extreme is one of
-        `system.extremes(motion, what)`."""
+        """Returns the derivatives of the time and the value of an extreme of a measure.
+
+        The derivative of the time is dt/dp = −ẏ_p/ÿ, and the derivative of the value is y_p. The extreme is one of
+        `system.extremes(motion, what)`.
+        """
         found = self._native.extreme(self._measured(what), _of(extreme))
         return {name: ExtremeSensitivity(name, *values) for name, *values in found}
 
     def between(
         self, what: Measure, first: Extreme, second: Extreme
     ) -> dict[str, ExtremeSensitivity]:
-        """How the difference of two extremes changes, the first less the second: of the values (a stroke), of the times
-        (between dead centres)."""
+        """Returns the derivatives of the difference of two extremes, first minus second.
+
+        The difference of the values is a stroke. The difference of the times is the time between dead centres.
+        """
         found = self._native.extreme(self._measured(what), _of(first), _of(second))
         return {name: ExtremeSensitivity(name, *values) for name, *values in found}
 
@@ -114,8 +123,11 @@ class Sensitivities:
 @short
 @dataclass(frozen=True)
 class Contribution:
-    """The share that one dimension, or one clearance, has in a measure that is off: s the derivative, ± T the tolerance, `off` = s
-    T, `sigma` = |s| σ; `share` of the worst case, `share_of_variance` of σ²."""
+    """The share of one dimension, or one clearance, in the deviation of a measure.
+
+    s is the derivative of the measure, and ± T is the tolerance. `off` is s T, and `sigma` is |s| σ. `share` is the
+    share in the worst case, and `share_of_variance` is the share in σ².
+    """
 
     name: str
     unit: str
@@ -131,8 +143,11 @@ class Contribution:
 @short
 @dataclass(frozen=True)
 class SecondOrder:
-    """The second-order term of a stack of tolerances: H by the dimensions of `names`, how far it moves the mean, and the
-    standard deviation with it.   [unit of the measure]"""
+    """The second-order term of a stack of tolerances. [unit of the measure]
+
+    H contains the second derivatives by the dimensions in `names`. The other fields are the shift of the mean, and the
+    standard deviation with the second-order term.
+    """
 
     names: list[str]
     hessian: Any
@@ -143,8 +158,10 @@ class SecondOrder:
 @short
 @dataclass(frozen=True)
 class Proved:
-    """Bounds, by interval arithmetic, that no mechanism within the tolerances passes; laws that were taken on their own word.
-    [unit of the measure]"""
+    """Bounds over all mechanisms within the tolerances, by interval arithmetic. [unit of the measure]
+
+    The bounds rely on the stated bounds of the listed user-defined laws.
+    """
 
     low: float
     high: float
@@ -154,9 +171,13 @@ class Proved:
 @short
 @dataclass(frozen=True)
 class Searched:
-    """Where in the box of tolerances the mechanism itself was looked at: how many `corners`, whether those are `all_corners`,
-    how many places on faces and `inside`; by how much each dimension is off at the `lowest` and the `highest` value (empty: none),
-    and at a place where the mechanism cannot be assembled (`unassembled`, `None` if it can wherever it was looked at)."""
+    """The points of the box of tolerances at which Kin computed the mechanism.
+
+    `corners` is the number of corners, `all_corners` says whether these are all corners, and `inside` is the number of
+    points on faces and inside the box. `lowest` and `highest` are the deviations of the dimensions at the smallest and
+    the largest value; an empty list is the centre. `unassembled` is a point at which the mechanism cannot be assembled,
+    or `None` if it can be assembled at all points.
+    """
 
     corners: int
     all_corners: bool
@@ -168,11 +189,14 @@ class Searched:
 
 @dataclass(frozen=True)
 class Tolerance:
-    """How far a measure may be off at one time, and by which dimensions: `worst_case` Σ |s| T, `rss` √(Σ s² T²), `sigma` √(Σ s² σ²),
-    the least and the largest value that the mechanism itself has at the worst `corners` and inside of the box (both `None` where a
-    part of it cannot be assembled: then there is no worst case), how far off the one that is farther is (`attained`), where it was
-    `searched`, how far the stack is `misled` (`None` where that cannot be said), the `second_order` term, and what is `proved`
-    (`system.tolerance_proved`). `print` shows the table."""
+    """The deviation of a measure at one time, and the share of each dimension. `print` shows a table.
+
+    `worst_case` is Σ |s| T, `rss` is √(Σ s² T²), and `sigma` is √(Σ s² σ²). `corners` are the smallest and the largest
+    value at the worst points of the box of tolerances; both are `None` if the mechanism cannot be assembled at a tested
+    point. `attained` is the largest deviation at these points, and `searched` describes the points. `misled` is the
+    difference of the attained deviation from the linear stack, as a share of the stack, or `None` if it is unknown.
+    `second_order` is the second-order term, and `proved` contains the bounds of `system.tolerance_proved`.
+    """
 
     name: str
     unit: str
@@ -210,7 +234,7 @@ class Tolerance:
         return self.text
 
     def to_pandas(self) -> Any:
-        """The contributions as a pandas DataFrame, which has to be installed."""
+        """Returns the contributions as a pandas DataFrame. The package pandas must be installed."""
         import pandas
 
         return pandas.DataFrame([vars(one) for one in self.contributions])
@@ -219,8 +243,12 @@ class Tolerance:
 @short
 @dataclass(frozen=True)
 class Samples:
-    """A number of a measure in many mechanisms whose dimensions are off at random (Monte Carlo): `values` of those that can be
-    assembled, the smallest first. `print` shows mean, σ and quantiles.   [unit of the measure]"""
+    """A feature of a measure in many mechanisms with random deviations of their dimensions (Monte Carlo). [unit of the
+    measure]
+
+    `values` contains the values of the mechanisms that can be assembled, in increasing order. `print` shows mean, σ and
+    quantiles.
+    """
 
     name: str
     unit: str
@@ -231,27 +259,29 @@ class Samples:
 
     @property
     def missing(self) -> int:
-        """How many cannot be assembled."""
+        """The number of mechanisms that cannot be assembled."""
         return self.count - len(self.values)
 
     @property
     def share_missing(self) -> float:
-        """Their share of all.   [-]"""
+        """The share of mechanisms that cannot be assembled. [-]"""
         return self.missing / self.count
 
     @property
     def mean(self) -> float:
-        """Mean; NaN if there are none."""
+        """The mean, or NaN if no mechanism can be assembled."""
         return float(np.mean(self.values)) if len(self.values) else float("nan")
 
     @property
     def sigma(self) -> float:
-        """Standard deviation, by n − 1; NaN if there are fewer than two."""
+        """The standard deviation (by n − 1), or NaN if fewer than two mechanisms can be assembled."""
         return float(np.std(self.values, ddof=1)) if len(self.values) > 1 else float("nan")
 
     def quantile(self, p: float) -> float:
-        """The value that a share p of them is below, interpolated between two; NaN if there are none, or p is not between 0 and
-        1."""
+        """Returns the value below which a share p of the samples is, interpolated between two samples.
+
+        The result is NaN if no mechanism can be assembled, or if p is not between 0 and 1.
+        """
         inside = len(self.values) and 0.0 <= p <= 1.0
         return float(np.quantile(self.values, p)) if inside else float("nan")
 

@@ -1,4 +1,4 @@
-"""What is wrong with a mechanism, or that nothing is."""
+"""Diagnoses mechanisms."""
 
 from __future__ import annotations
 
@@ -9,10 +9,14 @@ from typing import Any, Union
 
 
 class Diagnosis:
-    """A verdict: `print` shows it in words; its fields are those of the file (`data`), such as `rank`, `mobility`,
-    `dependencies`, `freedoms`, and what follows of them: `can_be_driven`, `is_exactly_constrained` (as many equations as coordinates,
-    all independent), `count_misleads` (the count is right only because a superfluous equation hides a missing one), `redundancies`
-    and `contradictions` among the dependencies, `lasting_freedoms` (left at nearby poses too)."""
+    """The diagnosis of a mechanism. `print` shows a report.
+
+    The attributes are the fields of the file (`data`), such as `rank`, `mobility`, `dependencies` and `freedoms`, and
+    results derived from them. `can_be_driven` is true if a run is possible. `is_exactly_constrained` is true if the
+    mechanism has as many equations as coordinates, all independent. `count_misleads` is true if the count is right only
+    because a redundant equation hides a missing equation. `redundancies` and `contradictions` are the two kinds of
+    dependencies. `lasting_freedoms` are the freedoms that also exist at nearby poses.
+    """
 
     def __init__(self, text: str, data: str, answers: str) -> None:
         self.text = text
@@ -26,7 +30,7 @@ class Diagnosis:
         raise AttributeError(f"a diagnosis has no `{name}`; it has {', '.join(known)}")
 
     def write_json(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes its fields to a file."""
+        """Writes the fields of the diagnosis to a JSON file."""
         with open(os.fspath(path), "w", encoding="utf-8") as file:
             json.dump(self.data, file, ensure_ascii=False, indent=2)
 

@@ -1,4 +1,4 @@
-"""Named dimensions: numbers with a name that others hang on, and expressions of them."""
+"""Defines named dimensions, and expressions of dimensions."""
 
 from __future__ import annotations
 
@@ -38,12 +38,14 @@ _SIGNS: dict[str, Callable[[float, float], bool]] = {
 
 
 class Dimension(Number):
-    """A named number that others hang on, from `m.dimension(…)`, or an expression of such numbers: `a / 2`, `kin.hypot(dx,
-    dy)`. It stands wherever a parameter of a constraint, the length of a link, a coefficient of a law, a planar guess, a
-    mass or a number of a load is a number; `system.set("crank", 0.16)` then moves all that hangs on it, without a rebuild.
+    """A named dimension from `m.dimension(…)`, or an expression of dimensions: `a / 2`, `kin.hypot(dx, dy)`.
 
-    It compares with other numbers by its `value`, that of the nominal dimensions. Where a plain number is needed, as in
-    `math.sin`, the name would be forgotten without a word: there it is an error, and `.value` says what is meant.
+    Use a dimension instead of a number for a parameter of a constraint, the length of a link, a coefficient of a law, a
+    planar guess, a mass or a number of a load. Then `system.set("crank", 0.16)` changes all numbers that depend on the
+    dimension, without a rebuild.
+
+    Comparisons use `value`, the value at the nominal dimensions. Functions that need a plain number, such as
+    `math.sin`, would lose the dimension, so they raise an error. To use the plain number, write `.value`.
     """
 
     __slots__ = ("text", "value", "_of")
@@ -110,7 +112,7 @@ class Dimension(Number):
         return Dimension(text, value, self._of)
 
     def sign(self) -> "Dimension":
-        """−1 or 1; at 0 the sign of the zero."""
+        """Returns −1 or 1; for 0 returns the sign of the zero."""
         return self._one("signum")
 
     def __neg__(self) -> "Dimension":
@@ -145,7 +147,7 @@ NumberLike = Union[float, Dimension]
 
 
 def quoted(name: str) -> str:
-    """A name as it stands in an expression: in backticks unless it is a word."""
+    """Returns a name in the form for expressions: in backticks unless the name is a single word."""
     if "`" in name:
         raise DimensionError(f"the dimension `{name}`: expressions cannot contain a name with backticks. Choose another name")
     return name if re.fullmatch(r"[A-Za-z_][A-Za-z0-9_.]*", name) else f"`{name}`"
@@ -156,7 +158,7 @@ def _bracketed(text: str) -> str:
 
 
 def valued(number: Any) -> Any:
-    """The value of a dimension; anything else as it is."""
+    """Returns the value of a dimension, and any other argument unchanged."""
     return number.value if isinstance(number, Dimension) else number
 
 
@@ -167,8 +169,11 @@ def _float(number: Any) -> float:
 
 
 def written(place: str, mechanism: str, own: str, number: Any) -> Any:
-    """A number as the native part takes it: a dimension as its text. Raises `DimensionError` of one that is of another
-    mechanism than that of the token `own`, and TypeError of what is no number."""
+    """Converts a number for the native module; a dimension becomes its text.
+
+    Raises `DimensionError` for a dimension of another mechanism than that of the token `own`, and TypeError for an
+    argument that is not a number.
+    """
     if not isinstance(number, Dimension):
         try:
             return _float(number)

@@ -1,4 +1,7 @@
-"""Errors in Kin's words. Each variant of Rust's `kin::Error` is a class of its own; its fields are attributes."""
+"""Defines the exceptions of Kin.
+
+Each variant of Rust's `kin::Error` is a separate class, with its fields as attributes.
+"""
 
 from __future__ import annotations
 
@@ -10,10 +13,10 @@ if TYPE_CHECKING:
 
 
 class Error(Exception):
-    """Anything that Kin refuses or cannot do.
+    """The base class of all errors of Kin.
 
-    `motion` is what a failing run had computed before, `diagnosis` the verdict by name where there is one (as a
-    dictionary); the fields of the error (`t`, `constraint`, `row`, …) are attributes.
+    `motion` is the motion that a run computed before it failed. `diagnosis` is the diagnosis as a dictionary, if the
+    error has one. The fields of the error (`t`, `constraint`, `row`, …) are attributes.
     """
 
     motion: "Optional[Motion]" = None
@@ -27,14 +30,14 @@ class Error(Exception):
 
 
 class ConstraintError(Error):
-    """A mistake in a traced function, at a line of it: `filename`, `lineno`."""
+    """A mistake in a traced function, with the attributes `filename` and `lineno` of the user's line."""
 
     filename: str
     lineno: int
 
 
 class CannotBeDriven(Error):
-    """A mechanism that cannot be driven, whatever its pose."""
+    """The mechanism cannot be driven in any pose."""
 
 
 class NoConvergence(Error):
@@ -46,7 +49,7 @@ class SingularAt(Error):
 
 
 class Toggle(Error):
-    """A toggle: no position exists beyond its time `t`."""
+    """The motion reaches a toggle: no position exists beyond the time `t`."""
 
 
 class CannotReach(Error):
@@ -55,15 +58,15 @@ class CannotReach(Error):
 
 
 class CannotFollow(Error):
-    """A step that may have left its branch, and cannot be made any shorter."""
+    """A step may have left its branch, and Kin cannot make the step shorter."""
 
 
 class WrongBranch(Error):
-    """A position that closes, but not as it is meant."""
+    """A position satisfies the equations but is on the wrong branch."""
 
 
 class LawJumps(Error):
-    """A law that jumps where it drives the motion."""
+    """A discontinuous law drives the motion."""
 
 
 class NotFinite(Error):
@@ -75,121 +78,126 @@ class ParameterNotFinite(Error):
 
 
 class InvalidParameters(Error):
-    """Parameters that make no sense: a length below zero, an axis without direction."""
+    """The parameters contradict the constraint: a negative length, an axis without direction."""
 
 
 class InitialNotFinite(Error):
-    """An initial or other value given for a coordinate is infinite or not a number."""
+    """The program gives a coordinate an initial or other value that is infinite or not a number."""
 
 
 class InvalidLength(Error):
-    """A link must have a length above zero."""
+    """The length of a link is not positive."""
 
 
 class ForeignBody(Error):
-    """A body or coordinate of another mechanism."""
+    """A body or coordinate belongs to another mechanism."""
 
 
 class RepeatedBody(Error):
-    """The same body or coordinate twice in one constraint."""
+    """A constraint contains the same body or coordinate twice."""
 
 
 class NoCoordinates(Error):
-    """An equation left without coordinates, because all its bodies are the ground."""
+    """An equation contains no coordinates, because all its bodies are the ground."""
 
 
 class CannotBeProved(Error):
-    """A motion that Kin cannot prove by interval bounds."""
+    """Kin cannot prove a motion by interval bounds."""
 
 
 class InvalidConstraint(Error):
-    """A constraint that contradicts itself, or cannot do what a call requires."""
+    """A constraint contradicts itself, or does not implement a required method."""
 
 
 class DuplicateName(Error):
-    """A name given twice."""
+    """Two things of a mechanism have the same name."""
 
 
 class EmptyName(Error):
-    """A name that is empty."""
+    """A name is empty."""
 
 
 class UnknownName(Error):
-    """An unknown name; `known` lists the known names."""
+    """No thing has the requested name; `known` lists the known names."""
 
 
 class InvalidTimes(Error):
-    """Times that no run can follow."""
+    """The times of a run are not valid."""
 
 
 class InvalidOptions(Error):
-    """An option out of its range."""
+    """An option is out of its range."""
 
 
 class NeedsMemory(Error):
-    """Motions that take more memory than the option `memory` allows."""
+    """Motions need more memory than the option `memory` allows."""
 
 
 class CaseNotFinite(Error):
-    """A case of a sweep with a number that is infinite or not a number."""
+    """A case of a sweep contains a number that is infinite or not a number."""
 
 
 class WrongLength(Error):
-    """A list of the wrong length."""
+    """A list has the wrong length."""
 
 
 class Stopped(Error):
-    """A run or sweep that your code stopped."""
+    """The program stopped a run or sweep."""
 
 
 class Mismatch(Error):
-    """Routes to a derivative that do not agree."""
+    """Two ways to compute a derivative disagree."""
 
 
 class NoDerivative(Error):
-    """A derivative by a parameter that does not exist, or is not known."""
+    """Kin cannot differentiate by a parameter: the parameter does not exist, or its derivative is unknown."""
 
 
 class NotUnique(Error):
-    """A force that redundant constraints share, so that it is not unique."""
+    """A force is not unique, because redundant constraints share the force."""
 
 
 class OtherMotion(Error):
-    """A motion from before a change of the system: at `t` its `equation` is not satisfied."""
+    """A motion does not belong to the present system: at the time `t` its `equation` is not satisfied."""
 
 
 class Jammed(Error):
-    """A mechanism that friction jams: no finite forces of its drives move it. `constraint` is the joint that jams, `t` the
-    first such time, `share` the share of the friction that is enough, `drives` the drives that push."""
+    """Friction jams the mechanism: no finite forces of its drivers move it.
+
+    `constraint` is the joint that jams, and `t` is the first such time. `share` is the share of the friction at which
+    the mechanism jams. `drives` lists the drivers that work against the friction.
+    """
 
 
 class Unbounded(Error):
-    """Forces at a singular position, where they have no bound. `t` is its time; `growth` has the name of each constraint whose
-    forces grow, with the power of |t − t*|."""
+    """Forces have no bound at the singular position at the time `t`.
+
+    `growth` lists each constraint whose forces grow, with the exponent of |t − t*|.
+    """
 
 
 class OutputNotFinite(Error):
-    """An output with a value that is infinite or not a number."""
+    """An output contains a value that is infinite or not a number."""
 
 
 class DimensionError(Error):
-    """A named dimension that is invalid, unused, or belongs to another mechanism."""
+    """A named dimension is invalid, unused, or belongs to another mechanism."""
 
 
 class DataError(Error):
-    """Something that cannot be written as data, or data that are invalid."""
+    """Kin cannot write a value as data, or data are invalid."""
 
 
 class TableError(Error):
-    """A table that cannot be read, or is no table of a law."""
+    """Kin cannot read the table of a law."""
 
 
 class FileError(Error):
-    """A file that cannot be written."""
+    """Kin cannot write a file."""
 
 
 def raised(kind: str, text: str, fields: str, motion: Any, diagnosis: Optional[str]) -> Error:
-    """The exception of an error of Rust; its native motion becomes one of Python's."""
+    """Converts an error of Rust to an exception; its native motion becomes a Python motion."""
     found = globals().get(kind, Error)
     error: Error = found(text) if isinstance(found, type) and issubclass(found, Error) else Error(text)
     error.__dict__.update(json.loads(fields))

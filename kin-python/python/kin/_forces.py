@@ -1,4 +1,4 @@
-"""What joints hold and drives must give, of a motion that is driven."""
+"""Computes reactions of joints and efforts of drivers in a driven motion."""
 
 from __future__ import annotations
 
@@ -18,8 +18,12 @@ from ._vectors import VectorLike
 
 @dataclass(frozen=True)
 class Drive:
-    """What a driving constraint must give: `efforts`, one for each of its laws, a torque where its law is an angle, a force where
-    it is a length, positive the way the law grows; its `power`, the sum of effort · ḟ; its `peak`.   [N m or N, W]"""
+    """The efforts and the power of a driver. [N m or N, W]
+
+    `efforts` contains one effort for each law of the driver: a torque if the law is an angle, a force if the law is a
+    length. An effort is positive in the direction in which its law grows. `power` is the sum of effort · ḟ, and `peak`
+    is the largest effort.
+    """
 
     name: str
     efforts: list[Quantity]
@@ -28,14 +32,16 @@ class Drive:
 
     @property
     def effort(self) -> Quantity:
-        """That of its first law."""
+        """The effort of the first law of the driver."""
         return self.efforts[0]
 
 
 @dataclass(frozen=True)
 class Growth:
-    """How the force or torque of one constraint grows towards a singular position of a motion, at the time t*: as |t − t*| to a
-    `power` below zero.   [s, -]"""
+    """The growth of the force or torque of one constraint near a singular position at the time t*. [s, -]
+
+    The force grows like |t − t*| to the negative exponent `power`.
+    """
 
     constraint: str
     t: float
@@ -48,7 +54,7 @@ class Growth:
 
 @dataclass(frozen=True)
 class Energy:
-    """Kinetic energy T = Σ ½ m v² + ½ ω · J ω, and potential energy of weight, over time.   [J]"""
+    """The kinetic energy T = Σ ½ m v² + ½ ω · J ω, and the potential energy of the weight, over time. [J]"""
 
     kinetic: Quantity
     potential: Quantity
@@ -56,8 +62,12 @@ class Energy:
 
 @dataclass(frozen=True)
 class Balance:
-    """The balance of powers over time: what drives and loads (weight among them) put in, the rate of the kinetic energy, which is
-    differentiated from T and not from forces, and what is `left`; `worst` is its largest share of the `largest` power.   [W]"""
+    """The balance of powers over time: the power of drivers and loads (including weight), dT/dt, and the difference
+    `left`. [W]
+
+    Kin computes dT/dt by differentiating the kinetic energy T, not from forces. `worst` is the largest difference as a
+    share of the `largest` power.
+    """
 
     drives: Quantity
     loads: Quantity
@@ -72,8 +82,11 @@ class Balance:
 
 
 class Forces:
-    """The forces of a motion, from C_qᵀ λ = Q_e + Q_v − M q̈: `reaction` of each constraint on each body, efforts and powers of
-    drives, energies, the balance of powers. `print` shows the balance."""
+    """The forces of a motion, from C_qᵀ λ = Q_e + Q_v − M q̈. `print` shows the balance of powers.
+
+    The object contains the `reaction` of each constraint on each body, efforts and powers of drivers, energies, and the
+    balance of powers.
+    """
 
     def __init__(
         self, system: "_native.System", motion: Motion, token: str, mechanism: str, sharing: Any, engine: str
@@ -97,55 +110,65 @@ class Forces:
 
     @property
     def engine(self) -> tuple[int, int]:
-        """How many times a program has computed, and how many of those it has handed back."""
+        """The number of times that a program has computed, and the number of times that it returned to the step-by-step
+        solver.
+        """
         return self._native.engine()
 
     @property
     def why_not_compiled(self) -> Optional[str]:
-        """Why all times were computed one by one, where a program would have paid: what stands in the way, by name."""
+        """The reason why Kin computed all times one by one although a program would have been faster."""
         return self._native.why_not_compiled()
 
     @property
     def loads(self) -> list[str]:
-        """Names of the loads."""
+        """The names of the loads."""
         return self._system.parts()[1]
 
     @property
     def drives(self) -> list[str]:
-        """Names of the constraints that drive."""
+        """The names of the drivers."""
         return self._native.drives()
 
     def drive(self, name: str) -> Drive:
-        """The force or torque that a driving constraint must give, and its power."""
+        """Returns the efforts and the power of a driver."""
         name, efforts, power, (value, t, unit), text = self._native.drive(name)
         peak = Peak(value, t, unit, text)
         return Drive(name, [self._quantity(one) for one in efforts], self._quantity(power), peak)
 
     def reaction(self, constraint: str) -> "Reaction":
-        """Force and torque of a constraint on its bodies; of a driver too."""
+        """Returns the force and torque of a constraint, such as a joint or a driver, on its bodies."""
         return self._from("constraints", constraint)
 
     def load(self, name: str) -> "Reaction":
-        """Force and torque of a load on its bodies."""
+        """Returns the force and torque of a load on its bodies."""
         return self._from("load", name)
 
     def friction(self, joint: str) -> "Reaction":
-        """Force and torque of the friction in a joint on its bodies; they are a part of those of `reaction`.
+        """Returns the force and torque of the friction in a joint on its bodies.
 
-        Raises an error by name: a joint that has none.
+        `reaction` contains only the normal forces of the joint.
+
+        Raises an error if the joint has no friction.
         """
         return self._from("friction", joint)
 
     def sum(self, constraints: Iterable[str]) -> "Reaction":
-        """Force and torque of several constraints together: of redundant ones the sum can be unique where none of them is."""
+        """Returns the force and torque of several constraints together.
+
+        The sum over redundant constraints can be unique although the force of each constraint is not unique.
+        """
         names = tuple(constraints)
         if not names:
             raise ValueError("`sum` needs the name of at least one constraint")
         return self._from("constraints", *names)
 
     def on_ground(self) -> "Reaction":
-        """Force and torque of all constraints on the ground, `forces.on_ground().on(m.ground)`: the shaking force, and the
-        shaking moment about the origin."""
+        """Returns the force and torque of all constraints on the ground: the shaking force, and the shaking moment
+        about the origin.
+
+        Use `forces.on_ground().on(m.ground)`.
+        """
         return self._from("constraints")
 
     def _from(self, kind: str, *names: str) -> "Reaction":
@@ -153,20 +176,23 @@ class Forces:
         return Reaction(self, (kind, names))
 
     def growth(self) -> list[Growth]:
-        """The constraints whose forces grow without bound towards singular positions of the motion: the toggle that has ended it,
-        and change points that it has passed. Of mechanisms with redundant equations and of motions given by states nothing is told.
+        """Returns the constraints whose forces grow without bound near the singular positions of the motion.
+
+        The singular positions are the toggle that ended the motion and the change points that the motion passed. For
+        mechanisms with redundant equations and for motions from given states the list is empty.
         """
         return [Growth(*one) for one in self._native.growth()]
 
     def named(self, name: str) -> Quantity:
-        """The column of this name, such as `motor` or `A on crank.F_x`.
+        """Returns the column with this name, such as `motor` or `A on crank.F_x`.
 
-        Raises an error by name, with those that there are; a component that is not unique has none.
+        Raises an error, with the existing names, if no column has the name. A component that is not unique has no
+        column.
         """
         return self._quantity(self._native.named(name))
 
     def columns(self) -> dict[str, Any]:
-        """Everything that is unique by the headers of the CSV file, such as `A on crank.F_x [N]`."""
+        """Returns all unique quantities by the headers of the CSV file, such as `A on crank.F_x [N]`."""
         table: dict[str, Any] = {"t": self.motion.times}
         for told in self._native.columns():
             one = self._quantity(told)
@@ -174,19 +200,19 @@ class Forces:
         return table
 
     def to_pandas(self) -> Any:
-        """The columns as a pandas DataFrame, which has to be installed."""
+        """Returns the columns as a pandas DataFrame. The package pandas must be installed."""
         import pandas
 
         return pandas.DataFrame(self.columns())
 
     def to_arrow(self) -> Any:
-        """The columns as a table of Arrow (pyarrow, which has to be installed)."""
+        """Returns the columns as an Arrow table. The package pyarrow must be installed."""
         import pyarrow
 
         return pyarrow.table(self.columns())
 
     def write_csv(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the columns with 17 digits, making folders that are missing."""
+        """Writes the columns as a CSV file with 17 digits and creates missing folders."""
         self._native.write_csv(os.fspath(path))
 
     def __repr__(self) -> str:
@@ -195,15 +221,19 @@ class Forces:
 
 @dataclass(frozen=True)
 class Reaction:
-    """Forces and torques of a constraint, of several together, of a load, or of friction in a joint, on bodies."""
+    """The forces and torques of a constraint, of several constraints, of a load, or of the friction in a joint, on
+    bodies.
+    """
 
     forces: Forces
     _sources: tuple[str, tuple[str, ...]]
 
     def on(self, body: Union[PlanarBody, SpatialBody, Ground]) -> "BodyWrench":
-        """Force and torque on one body; the ground takes the opposite of all that is put on bodies.
+        """Returns the force and torque on one body.
 
-        Raises an error by name: a body of another mechanism, one that it does not act on.
+        The force on the ground is the opposite of all forces on the bodies.
+
+        Raises an error if the body belongs to another mechanism, or if the source does not act on the body.
         """
         if not isinstance(body, (PlanarBody, SpatialBody, Ground)):
             raise TypeError(f"`on` takes a body, not {body!r}")
@@ -218,14 +248,17 @@ class Reaction:
 
     @property
     def power(self) -> Quantity:
-        """The power that it puts into the mechanism, Q · q̇.   [W]"""
+        """The power Q · q̇ that the source puts into the mechanism. [W]"""
         return self.forces._quantity(self.forces._native.power(self._sources))
 
 
 @dataclass(frozen=True)
 class BodyWrench:
-    """Force and torque on a body over time, first about the constraint's point on that body and in global axes. A component that
-    is not unique, because equations are redundant, is not given as a number: asking for it is an error by name."""
+    """The force and torque on a body over time, about a point and in axes that you choose.
+
+    The default point is the constraint's point on this body, and the default axes are global. If a component is not
+    unique because equations are redundant, each method that needs the component raises an error.
+    """
 
     _reaction: Reaction
     _body: tuple[bool, Any]
@@ -235,15 +268,15 @@ class BodyWrench:
         return BodyWrench(self._reaction, self._body, (*self._ways, (way, point)))
 
     def at(self, u: VectorLike) -> "BodyWrench":
-        """The same about another point of the body, ū; on the ground about a global one.   [m]"""
+        """Moves the torque to another point ū of the body; on the ground ū is a global point. [m]"""
         return self._moved("at", flat(u))
 
     def about(self, point: VectorLike) -> "BodyWrench":
-        """The same about a global point that stays where it is.   [m]"""
+        """Moves the torque to a fixed global point. [m]"""
         return self._moved("about", flat(point))
 
     def in_body(self) -> "BodyWrench":
-        """The same by components in the axes of the body."""
+        """Converts the components to the axes of the body."""
         return self._moved("in_body", [])
 
     def _asked(self, asked: str) -> list[Quantity]:
@@ -253,28 +286,28 @@ class BodyWrench:
 
     @property
     def force(self) -> Any:
-        """The force, a row a time.   [N]"""
+        """The force, a row for each time. [N]"""
         return np.stack([one.value for one in self._asked("F_x F_y" if self._body[0] else "F_x F_y F_z")], axis=1)
 
     @property
     def torque(self) -> Any:
-        """The torque about the point: a number a time in the plane, a row a time in space.   [N m]"""
+        """The torque about the point: a number for each time in the plane, a row for each time in space. [N m]"""
         if self._body[0]:
             return self._asked("T")[0].value
         return np.stack([one.value for one in self._asked("T_x T_y T_z")], axis=1)
 
     @property
     def magnitude(self) -> Quantity:
-        """|F|   [N]"""
+        """The magnitude |F| of the force over time. [N]"""
         return self._asked("magnitude")[0]
 
     @property
     def torque_magnitude(self) -> Quantity:
-        """|T|   [N m]"""
+        """The magnitude |T| of the torque over time. [N m]"""
         return self._asked("torque_magnitude")[0]
 
     def component(self, name: str) -> Quantity:
-        """One component by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, …, `T_z` in space.   [N, N m]"""
+        """Returns one component by its name: `F_x`, `F_y`, `T` in the plane, `F_x`, …, `T_z` in space. [N, N m]"""
         if len(name.split()) != 1 or name in ("components", "magnitude", "torque_magnitude"):
             raise ValueError(f"`{name}` is no component. Use one of F_x, F_y, F_z, T, T_x, T_y, T_z")
         return self._asked(name)[0]
@@ -290,10 +323,10 @@ class BodyWrench:
 
     @property
     def points(self) -> Any:
-        """The points about which the torque is, in the global frame, a row a time.   [m]"""
+        """The global positions of the point of the torque, a row for each time. [m]"""
         return array(self._points()[0], 2 if self._body[0] else 3)
 
     @property
     def not_unique(self) -> list[str]:
-        """Names of the components that are not unique at some time."""
+        """The names of the components that are not unique at some time."""
         return self._points()[1]

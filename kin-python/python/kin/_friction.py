@@ -1,4 +1,4 @@
-"""Dry friction in pins and slides."""
+"""Defines dry friction in pins and slides."""
 
 from __future__ import annotations
 
@@ -10,8 +10,11 @@ from ._dimension import NumberLike
 
 @dataclass(frozen=True)
 class Friction:
-    """Dry friction in a joint, from the forces that the joint holds: μ times the sum of their magnitudes, against the slip v as
-    tanh(v/v₀). Well above v₀ it is Coulomb's; at rest it holds nothing.   [-, m, rad/s or m/s]"""
+    """Dry friction in a joint: μ times the sum of the contact forces, times tanh(v/v₀) against the slip v. [-, m, rad/s
+    or m/s]
+
+    If v is much larger than v₀, the formula gives Coulomb friction. At rest the friction is zero.
+    """
 
     coefficient: NumberLike
     rate: NumberLike
@@ -20,19 +23,25 @@ class Friction:
 
     @staticmethod
     def pin(coefficient: NumberLike, radius: NumberLike, rate: NumberLike) -> "Friction":
-        """In a pin of radius r: the torque μ r F tanh(ω/ω₀), F the force across its axis; ω₀ is the rate at which friction has
-        three quarters of its full size. Each of them is a number or a dimension.   [-, m, rad/s]"""
+        """Creates the friction of a pin of radius r: the torque is μ r F tanh(ω/ω₀), where F is the force across the
+        axis. [-, m, rad/s]
+
+        At ω₀ the friction has three quarters of its full size. Each argument is a number or a dimension.
+        """
         return Friction(coefficient, rate, True, (radius, 0.0))
 
     @staticmethod
     def slide(coefficient: NumberLike, guide: tuple[NumberLike, NumberLike], rate: NumberLike) -> "Friction":
-        """In a slide whose guide has a length L and a width b: μ (|N₁| + |N₂|) tanh(v/v₀), with N₁,₂ = F/2 ± M/L the forces at both
-        ends of the guide, which move with body i of the joint, at the side that is pressed.   [-, m, m/s]"""
+        """Creates the friction of a slide with a guide of length L and width b. [-, m, m, m/s]
+
+        The friction is μ (|N₁| + |N₂|) tanh(v/v₀), where N₁,₂ = F/2 ± M/L are the contact forces at both ends of the
+        guide. The contacts move with body i of the joint, and friction acts on the loaded side of the guide.
+        """
         length, width = guide
         return Friction(coefficient, rate, False, (length, width))
 
     def length(self, bearing: NumberLike) -> "Friction":
-        """The same of a pin whose bearing is so long that it holds bending, by forces at its two ends.   [m]"""
+        """Sets the length of the pin's bearing, which carries a bending moment by forces at its two ends. [m]"""
         if not self.is_pin:
             raise ValueError("`slide` takes the length of a guide; the length of a bearing belongs to a pin")
         return Friction(self.coefficient, self.rate, True, (self._sizes[0], bearing))

@@ -1,4 +1,4 @@
-"""Functions of numbers, plain and traced."""
+"""Defines functions of plain and traced numbers."""
 
 from __future__ import annotations
 
@@ -18,8 +18,11 @@ if TYPE_CHECKING:
 
 
 class Function(Protocol):
-    """A function of one number: of a plain one it is plain, of a traced one traced, of a dimension an expression of it,
-    of an array an array."""
+    """A function of one number.
+
+    A plain number gives a plain number, a traced number a traced number, a dimension an expression, and an array an
+    array.
+    """
 
     @overload
     def __call__(self, x: float) -> float: ...
@@ -78,17 +81,17 @@ degrees = _one("degrees", "degrees", "radians as degrees")
 
 
 def atan2(y: Scalar, x: Scalar) -> Any:
-    """The angle of (x, y) from the x-axis, in (−π, π].   [rad]"""
+    """Returns the angle of (x, y) from the x-axis, in (−π, π]. [rad]"""
     return two("arctan2", y, x)
 
 
 def hypot(x: Scalar, y: Scalar) -> Any:
-    """√(x² + y²)"""
+    """Returns √(x² + y²)."""
     return two("hypot", x, y)
 
 
 def maximum(a: Scalar, b: Scalar, *more: Scalar) -> Any:
-    """The larger one; of equal ones the derivatives of the first."""
+    """Returns the larger number; if both are equal, the derivatives are those of the first."""
     found = two("maximum", a, b)
     for one in more:
         found = two("maximum", found, one)
@@ -96,7 +99,7 @@ def maximum(a: Scalar, b: Scalar, *more: Scalar) -> Any:
 
 
 def minimum(a: Scalar, b: Scalar, *more: Scalar) -> Any:
-    """The smaller one; of equal ones the derivatives of the first."""
+    """Returns the smaller number; if both are equal, the derivatives are those of the first."""
     found = two("minimum", a, b)
     for one in more:
         found = two("minimum", found, one)
@@ -104,7 +107,7 @@ def minimum(a: Scalar, b: Scalar, *more: Scalar) -> Any:
 
 
 def power(x: Scalar, y: Scalar) -> Any:
-    """x to the power of y"""
+    """Returns x to the power y."""
     if isinstance(x, int) and isinstance(y, int):
         # Numbers are floats here: a whole one of a million digits would be computed for hours.
         return float(x) ** y
@@ -112,12 +115,15 @@ def power(x: Scalar, y: Scalar) -> Any:
 
 
 def clip(x: Scalar, low: Scalar, high: Scalar) -> Any:
-    """x between low and high"""
+    """Returns x limited to the range from low to high."""
     return minimum(maximum(x, low), high)
 
 
 def where(condition: Any, a: Any, b: Any) -> Any:
-    """a where the condition holds, b elsewhere: numbers, vectors, or lists of as many of them."""
+    """Returns a if the condition holds, otherwise b.
+
+    Both are numbers, vectors, or lists of the same length.
+    """
     from ._vectors import _Components
 
     if not isinstance(condition, Condition):

@@ -1,4 +1,4 @@
-"""Bodies and coordinates of a mechanism, as its methods give them out."""
+"""Defines the handles of bodies and coordinates, which methods of a mechanism return."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ._vectors import Vec2, Vec3
 
 @dataclass(frozen=True)
 class Coordinate:
-    """A coordinate: a bare one, or one of a body's, such as `crank.theta`."""
+    """A coordinate: a scalar coordinate, or a coordinate of a body such as `crank.theta`."""
 
     name: str
     _of: str = field(repr=False)
@@ -60,47 +60,49 @@ class SpatialBody(_Body):
 
 @dataclass(frozen=True)
 class Link(PlanarBody):
-    """A planar body between two pins, its frame at the middle."""
+    """A planar body between two pins, with its frame in the middle."""
 
     @property
     def length(self) -> NumberLike:
-        """The distance of its pins; a dimension, if it was given as one.   [m]"""
+        """The distance of the pins: a number or a dimension. [m]"""
         return 0.0 if self._length is None else self._length
 
     @property
     def start(self) -> Vec2:
-        """The pin at its beginning, (−l/2, 0), in its own frame.   [m]"""
+        """The local position of the first pin, (−l/2, 0). [m]"""
         return Vec2(-0.5 * self.length, 0.0)
 
     @property
     def end(self) -> Vec2:
-        """The pin at its end, (l/2, 0), in its own frame.   [m]"""
+        """The local position of the second pin, (l/2, 0). [m]"""
         return Vec2(0.5 * self.length, 0.0)
 
 
 @dataclass(frozen=True)
 class SpatialLink(SpatialBody):
-    """A spatial body between two points, its frame at the middle, x-axis from one to the other."""
+    """A spatial body between two points, with its frame in the middle and its x-axis from the first point to the
+    second.
+    """
 
     @property
     def length(self) -> NumberLike:
-        """The distance of its ends.   [m]"""
+        """The distance of the two points. [m]"""
         return 0.0 if self._length is None else self._length
 
     @property
     def start(self) -> Vec3:
-        """Its beginning, (−l/2, 0, 0), in its own frame.   [m]"""
+        """The local position of the first point, (−l/2, 0, 0). [m]"""
         return Vec3(-0.5 * self.length, 0.0, 0.0)
 
     @property
     def end(self) -> Vec3:
-        """Its end, (l/2, 0, 0), in its own frame.   [m]"""
+        """The local position of the second point, (l/2, 0, 0). [m]"""
         return Vec3(0.5 * self.length, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
 class Ground:
-    """What does not move: the global frame, a planar and a spatial body without coordinates."""
+    """The ground: the global frame, a planar and a spatial body without coordinates."""
 
     name = "ground"
 
@@ -135,7 +137,7 @@ _KINDS: dict[str, tuple[Any, str]] = {
 
 
 def place_of(constraint: str, argument: str, kind: str, value: Any) -> tuple[str, Optional[str], str]:
-    """Kind, name and mechanism of a body or coordinate that is wanted for an argument."""
+    """Returns the kind, name and mechanism of a body or coordinate that an argument requires."""
     known, short = _KINDS[kind]
     if isinstance(value, Ground) and kind != "Coord":
         return short, None, ""

@@ -1,4 +1,6 @@
-"""A joint of the library on bodies: its description as in a mechanism file, which Kin's registry makes a constraint of."""
+"""Describes joints of the library on bodies in the form of a mechanism file, from which Kin's registry creates
+constraints.
+"""
 
 from __future__ import annotations
 
@@ -27,17 +29,20 @@ _TERMS = 6
 
 @dataclass(frozen=True)
 class Joint:
-    """A joint, coupling or driver of the library: for `m.add(name, …)`."""
+    """A joint, coupling or driver of the library, for `m.add(name, …)`."""
 
     kind: str
     bodies: tuple[tuple[str, str, Union[Handle, Coordinate]], ...]
     parameters: tuple[tuple[str, str, Any], ...]
 
     def zero(self, f_i: Vec3Like, f_j: Vec3Like) -> "Joint":
-        """The same joint with the zero of its measured angle where the direction f_i of body i lies along f_j of body j; of
-        both only what is across the axis counts. An f that the axis h_i has is replaced, so that the last zero counts. Of spatial
-        `revolute`, `cylindrical` and `planar`; the angles of `screw`, `relative_angle` and `drive_turn` are zero where the
-        f of h_i lies along the f of h_j: give both axes an f, `kin.Axis(h, f)`."""
+        """Returns the joint with another zero of its measured angle: the angle is zero where the direction f_i of body
+        i is along f_j of body j.
+
+        Kin uses only the parts of f_i and f_j perpendicular to the axis. The last call sets the zero. The method works
+        for spatial `revolute`, `cylindrical` and `planar`. For `screw`, `relative_angle` and `drive_turn` give both
+        axes a reference direction, `kin.Axis(h, f)`: the angle is zero where the f of h_i is along the f of h_j.
+        """
         values = {name: value for name, _, value in self.parameters}
         kinds = [kind for _, kind, _ in self.bodies]
         if kinds != ["Spatial", "Spatial"] or self.kind not in ("revolute", "cylindrical", "planar"):
@@ -52,11 +57,11 @@ class Joint:
         return f"{self.kind}(…)"
 
     def described(self, name: str, mechanism: str, own: str) -> str:
-        """Its description under a name, as JSON."""
+        """Returns the description of the joint under a name, as JSON."""
         return json.dumps({"name": name, **self.data(name, mechanism, own)})
 
     def data(self, name: str, mechanism: str, own: str) -> dict[str, Any]:
-        """Its kind, what it is on and its parameters, as in a file."""
+        """Returns the kind, bodies and parameters of the joint, as in a mechanism file."""
         arguments = []
         for argument, kind, body in self.bodies:
             short, body_name, of = place_of(name, argument, kind, body)
@@ -71,13 +76,13 @@ class Joint:
 
 
 def foreign(place: str, argument: str, mechanism: str) -> ForeignBody:
-    """A body of another mechanism, in Kin's words."""
+    """Returns the error for a body of another mechanism."""
     text = f'`{place}` cannot use `{argument}`, which belongs to another mechanism than "{mechanism}". Use what "{mechanism}" returned'
     return ForeignBody(text)
 
 
 def joint(kind: str, given: Sequence[tuple[str, str, Any]]) -> Joint:
-    """The joint with these arguments: each a name, its type in Rust and its value."""
+    """Creates the joint with these arguments: each has a name, a type in Rust and a value."""
     bodies: list[tuple[str, str, Any]] = []
     parameters: list[tuple[str, str, Any]] = []
     for name, of, value in given:

@@ -1,4 +1,4 @@
-"""Laws f(x): what drivers follow, profiles of cams."""
+"""Defines laws f(x) for drivers and profiles of cams."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ from ._ufunc import Operand
 
 @dataclass(frozen=True)
 class LawRange:
-    """The arguments from `first` to `last` that a law is made for. Beyond them the law is the straight line of its end
-    (`beyond == "line"`; a run that goes there warns) or keeps the value of its end (`"held"`)."""
+    """The range of arguments, from `first` to `last`, for which a law is defined.
+
+    If `beyond` is `"line"`, the law continues outside the range as a straight line, and a run that leaves the range
+    warns. If `beyond` is `"held"`, the law keeps the value of its end.
+    """
 
     first: float
     last: float
@@ -28,8 +31,8 @@ class LawRange:
 class Law(Operand):
     """A function of one variable with its derivatives: of time in a driver, of an angle for a cam.
 
-    Laws are added, multiplied, and multiplied and divided by numbers: `Law.constant(0.3) + Law.cycloidal(1.0, 0.5) / 10`. A function
-    of a law is a composition: `kin.law(kin.sin).compose(law)`.
+    You can add laws, multiply laws, and multiply and divide laws by numbers: `Law.constant(0.3) + Law.cycloidal(1.0,
+    0.5) / 10`. To apply a function to a law, compose both: `kin.law(kin.sin).compose(law)`.
     """
 
     __slots__ = ("_data", "_made")
@@ -63,45 +66,47 @@ class Law(Operand):
 
     @property
     def kind(self) -> str:
-        """Its kind, such as `ramp`; of a law from a function the name of that."""
+        """The kind of the law, such as `ramp`, or the name of the function that defines the law."""
         return str(self._data["kind"])
 
     # The laws, in the order of docs/library.md.
 
     @staticmethod
     def constant(c: NumberLike) -> "Law":
-        """f(x) = c"""
+        """Returns the constant law f(x) = c."""
         return Law._of("constant", c=c)
 
     @staticmethod
     def ramp(rate: NumberLike) -> "Law":
-        """f(x) = rate · x"""
+        """Returns the law of constant rate f(x) = rate · x."""
         return Law._of("ramp", rate=rate)
 
     @staticmethod
     def linear(f0: NumberLike, rate: NumberLike) -> "Law":
-        """f(x) = f0 + rate · x"""
+        """Returns the straight line f(x) = f0 + rate · x."""
         return Law._of("linear", f0=f0, rate=rate)
 
     @staticmethod
     def polynomial(c: Sequence[NumberLike]) -> "Law":
-        """f(x) = c[0] + c[1] x + c[2] x² + …"""
+        """Returns the polynomial f(x) = c[0] + c[1] x + c[2] x² + …."""
         named: dict[str, Any] = {f"c[{k}]": one for k, one in enumerate(c)}
         return Law._of("polynomial", **named)
 
     @staticmethod
     def harmonic(mean: NumberLike, amplitude: NumberLike) -> "Law":
-        """f(x) = mean + amplitude · sin x"""
+        """Returns the harmonic law f(x) = mean + amplitude · sin x."""
         return Law._of("harmonic", mean=mean, amplitude=amplitude)
 
     @staticmethod
     def sine(amplitude: NumberLike, omega: NumberLike, phase: NumberLike = 0.0) -> "Law":
-        """f(x) = amplitude · sin(omega · x + phase)   [rad/s, rad]"""
+        """Returns the sine law f(x) = amplitude · sin(omega · x + phase). [rad/s, rad]"""
         return Law._of("sine", amplitude=amplitude, omega=omega, phase=phase)
 
     @staticmethod
     def fourier(mean: NumberLike, omega: NumberLike, pairs: Iterable[tuple[NumberLike, NumberLike]]) -> "Law":
-        """f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x); the pairs are (a_k, b_k)."""
+        """Returns the Fourier series f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x) for pairs (a_k,
+        b_k).
+        """
         named: dict[str, Any] = {}
         for k, (a, b) in enumerate(pairs, start=1):
             named[f"a[{k}]"], named[f"b[{k}]"] = a, b
@@ -109,57 +114,75 @@ class Law(Operand):
 
     @staticmethod
     def harmonic_rise(height: NumberLike, length: NumberLike) -> "Law":
-        """Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after."""
+        """Returns the simple harmonic rise f(x) = h/2 (1 − cos(π x/β)).
+
+        The law is 0 before the rise and h after the rise.
+        """
         return Law._of("harmonic_rise", height=height, length=length)
 
     @staticmethod
     def cycloidal(height: NumberLike, length: NumberLike) -> "Law":
-        """Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after."""
+        """Returns the cycloidal rise f(x) = h (x/β − sin(2π x/β)/2π).
+
+        The law is 0 before the rise and h after the rise.
+        """
         return Law._of("cycloidal", height=height, length=length)
 
     @staticmethod
     def polynomial_345(height: NumberLike, length: NumberLike) -> "Law":
-        """3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after."""
+        """Returns the 3-4-5 polynomial rise f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵) with ξ = x/β.
+
+        The law is 0 before the rise and h after the rise.
+        """
         return Law._of("polynomial_345", height=height, length=length)
 
     @staticmethod
     def polynomial_4567(height: NumberLike, length: NumberLike) -> "Law":
-        """4-5-6-7 polynomial rise, 0 before and h after."""
+        """Returns the 4-5-6-7 polynomial rise, which is 0 before the rise and h after the rise."""
         return Law._of("polynomial_4567", height=height, length=length)
 
     @staticmethod
     def modified_sine(height: NumberLike, length: NumberLike) -> "Law":
-        """Modified sine rise; 0 before and h after."""
+        """Returns the modified sine rise, which is 0 before the rise and h after the rise."""
         return Law._of("modified_sine", height=height, length=length)
 
     @staticmethod
     def modified_trapezoid(height: NumberLike, length: NumberLike) -> "Law":
-        """Modified trapezoidal rise; 0 before and h after."""
+        """Returns the modified trapezoidal rise, which is 0 before the rise and h after the rise."""
         return Law._of("modified_trapezoid", height=height, length=length)
 
     @staticmethod
     def trapezoidal(distance: NumberLike, speed: NumberLike, acceleration: NumberLike) -> "Law":
-        """Rest to rest over a distance with constant acceleration up to a speed."""
+        """Returns a motion from rest to rest over a distance, with constant acceleration up to a speed."""
         return Law._of("trapezoidal", distance=distance, speed=speed, acceleration=acceleration)
 
     @staticmethod
     def s_curve(distance: NumberLike, speed: NumberLike, acceleration: NumberLike, jerk: NumberLike) -> "Law":
-        """Rest to rest over a distance within a speed, an acceleration and a jerk."""
+        """Returns a motion from rest to rest over a distance, limited in speed, acceleration and jerk."""
         return Law._of("s_curve", distance=distance, speed=speed, acceleration=acceleration, jerk=jerk)
 
     @staticmethod
     def spline(x: Any, y: Any, ends: Union[str, tuple[NumberLike, NumberLike]] = "natural") -> "Law":
-        """A cubic spline through (x, y), arrays or lists. `ends` is "natural", "periodic", or the slopes at both ends."""
+        """Returns a cubic spline through (x, y), which are arrays or lists.
+
+        `ends` is "natural", "periodic", or a pair of slopes at both ends.
+        """
         return _spline("spline", x, y, ends)
 
     @staticmethod
     def quintic_spline(x: Any, y: Any, ends: Union[str, tuple[NumberLike, NumberLike]] = "natural") -> "Law":
-        """A quintic spline through (x, y): its acceleration and jerk are smooth. `ends` as of `spline`."""
+        """Returns a quintic spline through (x, y), with continuous derivatives up to the fourth.
+
+        `ends` has the same values as for `spline`.
+        """
         return _spline("quintic_spline", x, y, ends)
 
     @staticmethod
     def sequence(start: NumberLike, parts: Iterable[tuple[NumberLike, "Law"]]) -> "Law":
-        """Laws one after the other, each over its length: f(x) = f_k(x − x_k). The parts are (length, law)."""
+        """Returns a law whose parts follow each other, each part over its length: f(x) = f_k(x − x_k).
+
+        The parts are pairs (length, law).
+        """
         numbers: dict[str, Any] = {"start": start}
         laws: dict[str, Law] = {}
         for k, (length, law) in enumerate(parts):
@@ -167,15 +190,15 @@ class Law(Operand):
         return Law._of("sequence", laws, **numbers)
 
     def periodic(self, period: NumberLike) -> "Law":
-        """The part of this law over 0 ≤ x < period, over and over."""
+        """Returns a law that repeats the part of this law over 0 ≤ x < period."""
         return Law._of("periodic", {"law": self}, period=period)
 
     def compose(self, inner: "Law") -> "Law":
-        """f(g(x)), this law after `inner`."""
+        """Returns the composition f(g(x)), where this law is f and `inner` is g."""
         return Law._of("composed", {"outer": self, "inner": inner})
 
     def shifted(self, x0: NumberLike) -> "Law":
-        """f(x − x0): the same curve, x0 later."""
+        """Returns the law f(x − x0): the same curve, shifted by x0."""
         return self.compose(Law.linear(-x0, 1.0))
 
     def __add__(self, other: Union["Law", NumberLike]) -> "Law":
@@ -229,25 +252,25 @@ class Law(Operand):
     # What it is asked.
 
     def at(self, x: Any) -> Any:
-        """f(x), of a number or of an array of them."""
+        """Returns f(x) for a number or an array."""
         return self._order(x, 0)
 
     def slope(self, x: Any) -> Any:
-        """f′(x)"""
+        """Returns the first derivative f′(x)."""
         return self._order(x, 1)
 
     def second(self, x: Any) -> Any:
-        """f″(x)"""
+        """Returns the second derivative f″(x)."""
         return self._order(x, 2)
 
     def third(self, x: Any) -> Any:
-        """f‴(x)"""
+        """Returns the third derivative f‴(x)."""
         return self._order(x, 3)
 
     __call__ = at
 
     def range(self) -> Optional[LawRange]:
-        """The arguments that the law is made for: those of a table, of the parts of a sequence; None if it has no ends."""
+        """The range of arguments for which the law is defined, such as that of a table; None for all arguments."""
         found = self._native.range()
         return None if found is None else LawRange(*found)
 

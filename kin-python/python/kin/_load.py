@@ -1,4 +1,5 @@
-"""What acts on a mechanism: forces and torques on bodies, along lengths and angles, energies. `m.load(name, load)`."""
+"""Defines loads: forces and torques on bodies, forces along lengths and angles, and energies, for `m.load(name, load)`.
+"""
 
 from __future__ import annotations
 
@@ -30,35 +31,44 @@ class _Part(Protocol):
 
 @dataclass(frozen=True)
 class Load:
-    """What acts together under one name: `m.load("closer", load)`. `a + b` is both."""
+    """A load: one or more forces that act under one name, as in `m.load("closer", load)`.
+
+    `a + b` combines two loads.
+    """
 
     _parts: tuple[_Part, ...]
 
     @staticmethod
     def force(body: Handle, u: Any, force: Any) -> "Load":
-        """A force at a point ū of a body, by global components: numbers, laws of time or functions of it.   [m, N]"""
+        """Creates a force at a point ū of a body, in global components: numbers, laws of time or functions of time. [m,
+        N]
+        """
         return Load((_OnBody(body, u, force, None, False),))
 
     @staticmethod
     def force_in_body(body: Handle, u: Any, force: Any) -> "Load":
-        """The same by components in the axes of the body, which it turns with.   [m, N]"""
+        """Creates a force at a point ū of a body, in the axes of the body; its direction rotates with the body. [m, N]
+        """
         return Load((_OnBody(body, u, force, None, True),))
 
     @staticmethod
     def torque(body: Handle, torque: Any) -> "Load":
-        """A torque on a body, counter-clockwise in the plane, three global components in space.   [N m]"""
+        """Creates a torque on a body: counter-clockwise positive in the plane, three global components in space. [N m]
+        """
         return Load((_OnBody(body, None, None, torque, False),))
 
     @staticmethod
     def torque_in_body(body: Handle, torque: Any) -> "Load":
-        """The same by components in the axes of the body.   [N m]"""
+        """Creates a torque on a body, in the axes of the body. [N m]"""
         return Load((_OnBody(body, None, None, torque, True),))
 
     @staticmethod
     def along(x: Along, force: Callable[..., Any]) -> "Load":
-        """A force along a length or an angle x: `kin.loads.length(…)`, any constraint of one row, or the name of a measure of a joint
-        or of a coordinate (`"guide.slide"`). `force` is a function of x, of x and its rate, or of x, its rate and time, traced
-        as a constraint is. Positive pushes the way x grows; an angle of a joint is counted over any number of turns.   [N, N m]
+        """Creates a force or torque along a length or an angle x. [N, N m]
+
+        x is `kin.loads.length(…)`, any constraint of one row, or the name of a measure of a joint or of a coordinate
+        (`"guide.slide"`). `force` is a function of x, of x and its velocity, or of x, its velocity and time; Kin traces
+        the function like a constraint. A positive force increases x. An angle of a joint counts full revolutions.
         """
         return _Bare(force)(x)
 
@@ -154,17 +164,17 @@ def _length(place: str, x: Any) -> Along:
 
 
 def of_library(kind: str, given: Any) -> Load:
-    """An energy of the library."""
+    """Creates a load from an energy of the library."""
     return Load((_Energy(joint(kind, given)),))
 
 
 def along_library(kind: str, x: Any, given: Any) -> Load:
-    """A force of the library along x."""
+    """Creates a load from a force of the library along x."""
     return Load((_Along(_length(kind, x), joint(kind, given)),))
 
 
 class Potential(Traced):
-    """A function under `@kin.potential`: called with bodies and parameters it gives a load."""
+    """A function under `@kin.potential`. Call it with bodies and parameters to create a load."""
 
     def __call__(self, *args: Any, **keywords: Any) -> Load:
         return Load((_Energy(self._constraint(*args, **keywords)),))
@@ -174,7 +184,7 @@ class Potential(Traced):
 
 
 class Force(Traced):
-    """A function under `@kin.force`: called with a length or an angle and its parameters it gives a load."""
+    """A function under `@kin.force`. Call it with a length or an angle and its parameters to create a load."""
 
     _mark = ("#[force]",)
 
@@ -214,7 +224,9 @@ class _Bare(Force):
 
 
 def potential(function: Callable[..., Any]) -> Potential:
-    """Makes a load of an energy V(q, t), written as a function as under `@kin.constraint`: it acts with −V_q.
+    """Creates a load from an energy V(q, t), a function in the form of `@kin.constraint`.
+
+    The generalised forces of the energy are −V_q.
 
     Raises `kin.ConstraintError` at the user's line.
     """
@@ -222,9 +234,11 @@ def potential(function: Callable[..., Any]) -> Potential:
 
 
 def force(function: Callable[..., Any]) -> Force:
-    """Makes a load of a force f(x, ẋ, t) along any length or angle x: its arguments are `x: kin.Coord`, then, where they are
-    needed, `rate: kin.Rate` and `t: kin.Time`, then parameters. In its call x is `kin.loads.length(…)`, any constraint of one row
-    or the name of a measure (`"guide.slide"`); rate and time are not given. Positive pushes the way x grows.   [N, N m]
+    """Creates a load from a force f(x, ẋ, t) along any length or angle x. [N, N m]
+
+    The arguments of the function are `x: kin.Coord`, then optionally `rate: kin.Rate` and `t: kin.Time`, then
+    parameters. In a call of the decorated function, x is `kin.loads.length(…)`, any constraint of one row, or the name
+    of a measure (`"guide.slide"`). A call does not contain the rate and the time. A positive force increases x.
 
     Raises `kin.ConstraintError` at the user's line.
     """

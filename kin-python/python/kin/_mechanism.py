@@ -1,4 +1,4 @@
-"""A mechanism as it is described."""
+"""Describes a mechanism."""
 
 from __future__ import annotations
 
@@ -37,10 +37,10 @@ Body = Union[PlanarBody, SpatialBody]
 
 
 class Mechanism:
-    """Bodies, bare coordinates and constraints under one name, in any consistent set of units.   [m, rad, s]
+    """The bodies, scalar coordinates and constraints of a machine, in any consistent set of units. [m, rad, s]
 
-    A copy, and what pickle brings back, is a mechanism file (`to_json`); bodies that one has given out are those of
-    the other too.
+    A copy, and a mechanism restored by pickle, come from a mechanism file (`to_json`). The handles of bodies of the
+    original are valid in the copy too.
     """
 
     def __init__(self, name: str) -> None:
@@ -49,17 +49,19 @@ class Mechanism:
 
     @property
     def name(self) -> str:
-        """Its name."""
+        """The name of the mechanism."""
         return self._native.name()
 
     @property
     def ground(self) -> Ground:
-        """What does not move."""
+        """The ground: the global frame, as a planar and a spatial body without coordinates."""
         return ground
 
     def units(self, length: str, time: str, mass: Optional[str] = None) -> None:
-        """Names the units of length, time and mass in files and messages: words alone, no number is changed. Those of force,
-        torque, energy and power follow."""
+        """Names the units of length, time and mass in files and messages.
+
+        Kin does not convert numbers. Kin derives the units of force, torque, energy and power from these units.
+        """
         self._native.units(length, time, mass)
 
     # Named dimensions.
@@ -74,32 +76,38 @@ class Mechanism:
         tolerance: Optional[float] = None,
         distribution: Optional[str] = None,
     ) -> Dimension:
-        """A named number that others hang on; given an expression of others, it is a name for that.
+        """Declares a named dimension, on which other numbers can depend.
 
-        `unit` is a word for tables and files, nothing is converted. `system.set` keeps to the range `within`, both ends
-        included; `tolerance` is how far the shop may be off, either way, `distribution` how often by how much: "normal" (σ a
-        third of the tolerance, which it is where nothing is said), "truncated normal" or "uniform".
+        If the value is an expression of other dimensions, the call gives the expression a name.
 
-        Raises an error by name: name empty or taken, a value that is not finite, a dimension of another mechanism; when the
-        mechanism is built, a range without the value, a tolerance below zero, a dimension on which nothing hangs.
+        `unit` is a text for tables and files; Kin does not convert numbers. `system.set` accepts values in the range
+        `within`, both ends included. `tolerance` is the largest deviation in both directions. `distribution` is the
+        distribution within the tolerance: "normal" (the default, with σ = tolerance/3), "truncated normal" or
+        "uniform".
+
+        Raises an error if the name is empty or taken, the value is not finite, or a dimension belongs to another
+        mechanism. `build` raises an error if the range excludes the value, the tolerance is negative, or no number
+        depends on the dimension.
         """
         given, ends = self._number(name, value), None if within is None else (float(within[0]), float(within[1]))
         made = self._native.dimension(name, given, unit, ends, tolerance, distribution)
         return Dimension(quoted(name), made, self._token)
 
     def clearance(self, name: str, radius: float) -> Vec2:
-        """The clearance of a joint, whose hole is wider than its pin by `radius` on every side: a vector of two dimensions, `NAME.x`
-        and `NAME.y`, both zero, off uniformly in the disc of that radius. It is added to a point of the joint,
-        `kin.revolute(crank, rod, crank.end + gap, rod.start)`.   [m]
+        """Declares the clearance of a joint, whose hole is wider than its pin by `radius` on every side. [m]
 
-        Raises an error by name: those of `dimension`; a radius below zero is told when the mechanism is built.
+        The result is a vector of two dimensions, `NAME.x` and `NAME.y`, with the value zero and a uniform distribution
+        in the disc of this radius. Add the result to a point of the joint: `kin.revolute(crank, rod, crank.end + gap,
+        rod.start)`.
+
+        Raises the errors of `dimension`. `build` raises an error if the radius is negative.
         """
         self._native.clearance(name, radius)
         return Vec2(*(self._expression(quoted(f"{name}.{axis}")) for axis in "xy"))
 
     @property
     def dimensions(self) -> dict[str, Dimension]:
-        """The dimensions by their names, in the order in which they were made."""
+        """The dimensions by name, in the order of their declaration."""
         names = [one["name"] for one in json.loads(self._native.to_json()).get("dimensions", [])]
         return {name: self._expression(quoted(name)) for name in names}
 
@@ -112,19 +120,22 @@ class Mechanism:
     # Bodies and bare coordinates.
 
     def link(self, name: str, length: NumberLike) -> Link:
-        """A planar body between two pins, `length` apart, frame at the middle; assembly finds its pose. Of a dimension the
-        pins `start` and `end` hang on it.   [m]"""
+        """Adds a planar body between two pins at the distance `length`, with its frame in the middle. [m]
+
+        The assembly finds the pose of the body. If the length is a dimension, the pins `start` and `end` depend on the
+        dimension.
+        """
         made = self._native.link(name, self._number(name, length))
         return Link(name, self._token, length if isinstance(length, Dimension) else made)
 
     def link_between(self, name: str, a: Vec2Like, b: Vec2Like) -> Link:
-        """The same between two global points: their distance is its length.   [m]"""
+        """Adds a planar body between two pins at global points; the length is the distance of the points. [m]"""
         return Link(name, self._token, self._native.link_between(name, flat(a), flat(b)))
 
     def planar(
         self, name: str, x: NumberLike = 0.0, y: NumberLike = 0.0, theta: NumberLike = 0.0
     ) -> PlanarBody:
-        """A planar body with the guess (R_x, R_y, θ).   [m, m, rad]"""
+        """Adds a planar body with a guess of (R_x, R_y, θ). [m, m, rad]"""
         self._native.planar(name, tuple(self._number(name, one) for one in (x, y, theta)))
         return PlanarBody(name, self._token)
 
@@ -138,27 +149,32 @@ class Mechanism:
         angle: float = 0.0,
         facing: Optional[AxisLike] = None,
     ) -> SpatialBody:
-        """A spatial body with the guess R and Euler parameters p; or turned by `angle` about `axis`; or with its x-axis
-        along `facing`, an axis or a direction.   [m, –]"""
+        """Adds a spatial body with a guess of its pose. [m, –]
+
+        Give R and the Euler parameters p, or R and a rotation by `angle` about `axis`, or R and `facing`, an axis or
+        direction along the x-axis of the body.
+        """
         self._native.spatial(name, spatial_pose(r, p, axis, angle, facing))
         return SpatialBody(name, self._token)
 
     def spatial_link_between(self, name: str, a: Vec3Like, b: Vec3Like) -> SpatialLink:
-        """A spatial body between two global points, frame at the middle, x-axis from a to b.   [m]"""
+        """Adds a spatial body between two global points a and b, with its frame in the middle and its x-axis from a to
+        b. [m]
+        """
         return SpatialLink(name, self._token, self._native.spatial_link_between(name, flat(a), flat(b)))
 
     def angle(self, name: str, guess: NumberLike) -> Coordinate:
-        """A bare coordinate that is an angle.   [rad]"""
+        """Adds a scalar coordinate that is an angle. [rad]"""
         self._native.angle(name, self._number(name, guess))
         return Coordinate(name, self._token)
 
     def length(self, name: str, guess: NumberLike) -> Coordinate:
-        """A bare coordinate that is a length.   [m]"""
+        """Adds a scalar coordinate that is a length. [m]"""
         self._native.length(name, self._number(name, guess))
         return Coordinate(name, self._token)
 
     def __getitem__(self, name: str) -> Any:
-        """The body or bare coordinate of that name, or a body's coordinate such as "crank.theta"."""
+        """Returns the body or scalar coordinate with this name, or a coordinate of a body such as "crank.theta"."""
         for body in json.loads(self._native.to_json())["bodies"]:
             kind, own, length = body["kind"], body["name"], body.get("length")
             if isinstance(length, str):
@@ -174,10 +190,10 @@ class Mechanism:
     # Constraints.
 
     def add(self, name: str, constraint: Union[Joint, Constraint]) -> None:
-        """Adds a joint of the library, or a constraint of an equation of your own, under a name.
+        """Adds a joint of the library, or a user-defined constraint, under a name.
 
-        Raises an error by name: name empty or taken, parameters that are not finite or make no sense, a body of
-        another mechanism or twice the same one.
+        Raises an error if the name is empty or taken, a parameter is not finite or invalid, a body belongs to another
+        mechanism, or the constraint contains a body twice.
         """
         if isinstance(constraint, Joint):
             self._native.add(constraint.described(name, self.name, self._token))
@@ -210,23 +226,25 @@ class Mechanism:
         return places
 
     def terms(self, constraint: Constraint, q: Any, qd: Any, t: float = 0.0) -> "Terms":
-        """Every term of a constraint of an equation, where its own coordinates, one body after the other, are q, their
-        rates qd, and the time t."""
+        """Returns every term of a constraint at the state q, qd and t.
+
+        q and qd are the coordinates and velocities of the bodies of the constraint, one body after the other.
+        """
         equation, on, parameters = self._making(constraint.equation.name, constraint)
         return Terms(*self._native.terms(equation, on, parameters, _bytes(q), _bytes(qd), t))
 
     # Guesses and preferences.
 
     def guess(self, coordinate: Coordinate, value: float) -> None:
-        """Another guess for one coordinate.   [m or rad]"""
+        """Sets the guess of one coordinate. [m or rad]"""
         self._native.set_guess(self._own("guess", coordinate), value)
 
     def set_initial(self, q: Any) -> None:
-        """Another guess for all coordinates, in the order of their declaration."""
+        """Sets the guesses of all coordinates, in the order of their declaration. [m, rad]"""
         self._native.set_initial(flat(q))
 
     def set_pose(self, body: PlanarBody, x: float, y: float, theta: float) -> None:
-        """Another guess for the pose of a planar body.   [m, m, rad]"""
+        """Sets the guess of the pose of a planar body. [m, m, rad]"""
         self._native.set_pose(self._own("set_pose", body), (x, y, theta))
 
     def set_spatial_pose(
@@ -239,12 +257,15 @@ class Mechanism:
         angle: float = 0.0,
         facing: Optional[AxisLike] = None,
     ) -> None:
-        """Another guess for the pose of a spatial body, told as to `spatial`.   [m, –]"""
+        """Sets the guess of the pose of a spatial body, in the same form as for `spatial`. [m, –]"""
         self._native.set_spatial_pose(self._own("set_spatial_pose", body), spatial_pose(r, p, axis, angle, facing))
 
     def prefer(self, what: Union[Body, Coordinate, str], value: Any) -> None:
-        """Which of several assemblies: the one with this nearest the value: a coordinate, a planar body by its θ, a
-        spatial body by its Euler parameters, a measure of a joint by its name. The value may be a dimension.   [m or rad]"""
+        """Selects the assembly in which a quantity is nearest to a value. [m or rad]
+
+        The quantity is a coordinate, a planar body (its θ), a spatial body (its Euler parameters), or a measure of a
+        joint by its name. The value may be a dimension.
+        """
         if isinstance(what, str):
             self._native.prefer(what, self._number("prefer", value))
         elif isinstance(what, SpatialBody):
@@ -256,15 +277,18 @@ class Mechanism:
             self._native.prefer(self._own("prefer", what), self._number("prefer", value))
 
     def limit(self, measure: str, start: float, end: float) -> None:
-        """The range that a measure of a joint or a coordinate should keep to: a run tells when it leaves it."""
+        """Sets the permitted range of a measure of a joint or of a coordinate.
+
+        A run reports an event where the measure leaves the range.
+        """
         self._native.limit(measure, start, end)
 
     def local(self, body: Handle, point: Any) -> Any:
-        """ū, where a global point is in a body as it is drawn.   [m]"""
+        """Returns the local position ū of a global point in a body at its drawn pose. [m]"""
         return self._local(body, point, True)
 
     def local_direction(self, body: Handle, h: Any) -> Any:
-        """h̄, a global direction as a body sees it where it is drawn."""
+        """Returns the local direction h̄ of a global direction in a body at its drawn pose."""
         return self._local(body, h, False)
 
     def _local(self, body: Handle, vector: Any, point: bool) -> Any:
@@ -274,7 +298,10 @@ class Mechanism:
         return Vec2(*found) if len(found) == 2 else Vec3(*found)
 
     def hold_idle_turns(self) -> list[str]:
-        """Holds turns of rods about their own axes, which nothing else holds; gives the names of what was added."""
+        """Holds idle rotations, such as the rotation of a rod between two ball joints about its axis.
+
+        Returns the names of the held bodies.
+        """
         return self._native.hold_idle_turns()
 
     def _own(self, place: str, handle: Union[Body, Coordinate]) -> str:
@@ -287,25 +314,32 @@ class Mechanism:
     # Masses, weight and loads.
 
     def mass(self, body: Body, mass: NumberLike, centre: Any, inertia: Any) -> None:
-        """The mass of a body, its centre of mass in the body's frame and its inertia about that centre: in the plane one moment,
-        in space a tensor in the body's axes, or its diagonal. Each of the numbers may be a dimension. Given again it takes
-        the place of what was given.   [kg, m, kg m²]
+        """Sets the mass of a body, its centre of mass in the body frame and its inertia about the centre of mass. [kg,
+        m, kg m²]
 
-        Raises an error by name: the ground, a body of another mechanism, a mass not above zero, an inertia that no body has.
+        The inertia is one moment in the plane. In space it is a tensor in the axes of the body, or the diagonal of the
+        tensor. Each number may be a dimension. A second call for the same body replaces the mass of the first call.
+
+        Raises an error if the body is the ground or belongs to another mechanism, if the mass is not positive, or if no
+        body can have the inertia.
         """
         place, in_plane = self._massive("mass", body)
         numbers = [mass, *in_space(centre), *inertia_of(inertia, in_plane)]
         self._native.mass(place, [self._number("mass", one) for one in numbers])
 
     def solid(self, body: Body, solid: Solid) -> None:
-        """The same by a shape and a density: `m.solid(crank, kin.Solid.bar(0.1, 0.02, 0.01, kin.Solid.STEEL))`."""
+        """Sets the mass of a body from a shape and a density: `m.solid(crank, kin.Solid.bar(0.1, 0.02, 0.01,
+        kin.Solid.STEEL))`.
+        """
         self._native.solid(self._massive("solid", body)[0], solid._tuple())
 
     def point_mass(self, name: str, point: Constraint, mass: NumberLike) -> None:
-        """A mass at a point that moves with coordinates, for mechanisms that have no bodies: the point is a function of your own
-        of two or three rows, its global coordinates, `m.point_mass("bob", tip(theta, 0.4), 2.0)`.   [m, kg]
+        """Adds a mass at a point that depends on coordinates, for mechanisms without bodies. [m, kg]
 
-        Raises an error by name: more or fewer rows, a mass not above zero, a name that is taken.
+        The point is a user-defined constraint of two or three rows, its global coordinates: `m.point_mass("bob",
+        tip(theta, 0.4), 2.0)`.
+
+        Raises an error if the point does not have two or three rows, the mass is not positive, or the name is taken.
         """
         if not isinstance(point, Constraint):
             text = f"`{name}`: {point!r} is no point: call a function under @kin.constraint of two or three rows"
@@ -314,22 +348,27 @@ class Mechanism:
         self._native.point_mass(name, equation, on, parameters, self._number(name, mass))
 
     def friction(self, joint: str, friction: Friction) -> None:
-        """Dry friction in a joint that is there: `m.friction("shaft", kin.Friction.pin(0.1, 0.02, 1e-3))`. Reactions, efforts
-        of drives and the balance of powers then have it; given again it takes the place of what was given.
+        """Adds dry friction to an existing joint: `m.friction("shaft", kin.Friction.pin(0.1, 0.02, 1e-3))`.
 
-        Raises an error by name: a name that no constraint has, a joint that is no pin or no slide, numbers that make no
-        sense. `system.forces` raises `kin.Jammed` where it holds the mechanism fast.
+        Friction changes reactions, efforts of drivers and the balance of powers. A second call for the same joint
+        replaces the friction of the first call.
+
+        Raises an error if no constraint has the name, the joint is neither a pin nor a slide, or a number is invalid.
+        `system.forces` raises `kin.Jammed` if friction jams the mechanism.
         """
         if not isinstance(friction, Friction):
             raise TypeError(f"`{joint}`: {friction!r} is no friction: call kin.Friction.pin(…) or kin.Friction.slide(…)")
         self._native.friction(joint, *friction._told(lambda number: self._number(joint, number)))
 
     def load(self, name: str, load: Load) -> None:
-        """Lets something act on the mechanism, under a name: `kin.loads.spring(…)` and the others of that library,
-        `kin.Load.force(body, u, force)`, a function under `@kin.potential` or `@kin.force`; `a + b` is both. Numbers of it may be
-        dimensions.
+        """Adds a load to the mechanism, under a name.
 
-        Raises an error by name: the ground, a body of another mechanism, a length of several rows, a name that is taken.
+        The load is `kin.loads.spring(…)` or another load of the library, `kin.Load.force(body, u, force)`, or the
+        result of a function under `@kin.potential` or `@kin.force`. `a + b` combines two loads. The numbers of a load
+        may be dimensions.
+
+        Raises an error if the load acts on the ground alone, a body belongs to another mechanism, a length has several
+        rows, or the name is taken.
         """
         if not isinstance(load, Load):
             raise TypeError(
@@ -340,7 +379,10 @@ class Mechanism:
         self._native.load(json.dumps(data), texts)
 
     def gravity(self, g: Any) -> None:
-        """The acceleration of gravity, such as (0, -9.81); zero without it. Its components may be dimensions.   [m/s²]"""
+        """Sets the acceleration of gravity, such as (0, -9.81); without this call it is zero. [m/s²]
+
+        The components may be dimensions.
+        """
         self._native.gravity([self._number("gravity", one) for one in in_space(g)])
 
     def _massive(self, place: str, body: Any) -> tuple[tuple[str, Optional[str]], bool]:
@@ -358,31 +400,40 @@ class Mechanism:
         _mistakes.not_yet("mechanism", name, later)
 
     def build(self) -> System:
-        """The system: order of coordinates and equations fixed, ready to be solved. Raises `kin.Error` by name."""
+        """Builds the system of the mechanism, with a fixed order of coordinates and equations.
+
+        Raises `kin.Error` with the name of the cause.
+        """
         return System(self._native.build(), self._native.to_json(), self._token)
 
     def diagnose(self, t: float, q: Any = None) -> Diagnosis:
-        """What is wrong with it, or that nothing is: rank, dependencies and freedoms by name; it need not be buildable."""
+        """Diagnoses the mechanism: rank, dependencies and freedoms by name.
+
+        The call also works if the mechanism cannot be built.
+        """
         return Diagnosis(*self._native.diagnose(t, None if q is None else flat(q)))
 
     # Files.
 
     def to_json(self) -> str:
-        """The mechanism as the text of a file."""
+        """Returns the mechanism as the text of a mechanism file."""
         return self._native.to_json()
 
     @staticmethod
     def from_json(text: str) -> "Mechanism":
-        """The mechanism that such a text says. Raises `kin.Error` by name."""
+        """Creates a mechanism from the text of a mechanism file.
+
+        Raises `kin.Error` with the name of the cause.
+        """
         return Mechanism._of(text, uuid.uuid4().hex)
 
     def write_json(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the mechanism as a file, making folders that are missing."""
+        """Writes the mechanism as a file and creates missing folders."""
         self._native.write_json(os.fspath(path))
 
     @staticmethod
     def read_json(path: Union[str, "os.PathLike[str]"]) -> "Mechanism":
-        """The mechanism of such a file."""
+        """Reads a mechanism from a file."""
         with open(os.fspath(path), encoding="utf-8") as file:
             return Mechanism.from_json(file.read())
 
@@ -406,7 +457,7 @@ class Mechanism:
 
 
 class Terms:
-    """Every term of one constraint at one state: `c`, `c_q`, `c_t`, `q_d`, as arrays."""
+    """Every term of one constraint at one state, as arrays: `c`, `c_q`, `c_t`, `q_d`."""
 
     def __init__(self, c: Sequence[float], c_q: Sequence[Sequence[float]], c_t: Sequence[float], q_d: Any) -> None:
         self.c, self.c_q, self.c_t, self.q_d = (np.array(one, dtype=float) for one in (c, c_q, c_t, q_d))
@@ -415,7 +466,7 @@ class Terms:
 def spatial_pose(
     r: Vec3Like, p: EulerLike, axis: Optional[Vec3Like], angle: float, facing: Optional[AxisLike]
 ) -> list[float]:
-    """Position and Euler parameters of a pose, by whichever way it is told."""
+    """Converts the forms of a pose to a position and Euler parameters."""
     if axis is not None:
         turn = _native.euler_turned(flat(axis), angle)
     elif facing is not None:

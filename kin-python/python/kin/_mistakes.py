@@ -1,4 +1,4 @@
-"""Mistakes in traced functions, told at the user's line and in the user's own words."""
+"""Reports mistakes in traced functions at the user's line."""
 
 from __future__ import annotations
 
@@ -38,8 +38,11 @@ OPEN = _Open()
 
 @contextlib.contextmanager
 def tracing(trace: Any, name: str, place: Place) -> Iterator[None]:
-    """While a function is called to be traced. What was refused meanwhile fails here, though the function caught the error:
-    without the refused operation it would be another function."""
+    """Guards a function while Kin traces it.
+
+    If Kin refuses an operation, tracing fails even if the function catches the error, because without the refused
+    operation the function would be different.
+    """
     OPEN.traces.append(trace)
     try:
         yield
@@ -84,7 +87,7 @@ def _made(place: Place, text: str) -> ConstraintError:
 
 
 def at(place: Place, text: str) -> NoReturn:
-    """Raises a `ConstraintError` there, which the function that is being traced cannot undo by catching it."""
+    """Raises a `ConstraintError` that the traced function cannot suppress by catching it."""
     error = _made(place, text)
     if OPEN.traces:
         OPEN.traces[-1].refused.append(error)
@@ -92,12 +95,14 @@ def at(place: Place, text: str) -> NoReturn:
 
 
 def as_plain(place: Place, text: str) -> NoReturn:
-    """Raises a `ConstraintError` where a plain number fails too: a function that catches it does the same with both."""
+    """Raises a `ConstraintError` where a plain number would also fail, so that a function that catches the error
+    behaves the same with both.
+    """
     raise _made(place, text) from None
 
 
 def key(place: Place) -> NoReturn:
-    """A traced number was looked up in a set or a dictionary."""
+    """Reports that the function uses a traced number as a key of a set or a dictionary."""
     for node in _around(place):
         if isinstance(node, ast.Compare) and isinstance(node.ops[0], (ast.In, ast.NotIn)):
             condition(place)
@@ -106,7 +111,9 @@ def key(place: Place) -> NoReturn:
 
 
 def condition(place: Place, is_number: bool = False, is_moving: bool = True) -> NoReturn:
-    """A traced condition, or number, was asked for its truth; `is_moving` where it hangs on coordinates."""
+    """Reports that the function needs the truth of a traced condition or number; `is_moving` is true if it depends on
+    coordinates.
+    """
     for node in _around(place):
         if isinstance(node, (ast.If, ast.IfExp)):
             at(place, f"{CONDITION}write kin.where({_joined(node.test, is_number)}, a, b)")
@@ -148,7 +155,7 @@ def _of_call(place: Place, call: ast.Call) -> None:
 
 
 def plain_number(place: Place) -> NoReturn:
-    """A traced number was asked to be a plain one."""
+    """Reports that the function needs a traced number as a plain number."""
     import kin
 
     calls = [node for node in _around(place) if isinstance(node, ast.Call)]
@@ -170,7 +177,7 @@ def plain_number(place: Place) -> NoReturn:
 
 
 def count(place: Place) -> NoReturn:
-    """A traced number was asked to be a count."""
+    """Reports that the function uses a traced number as a count."""
     at(
         place,
         "a coordinate or parameter cannot be a count or an index here: give the argument the type `int`, "

@@ -1,4 +1,4 @@
-"""What a run gives: position, velocity and acceleration over time, as arrays."""
+"""Stores the result of a run: position, velocity and acceleration over time, as arrays."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ Array = "np.ndarray[Any, np.dtype[np.float64]]"
 
 
 def array(data: bytes, columns: Optional[int] = None) -> Any:
-    """The numbers where they lie, read-only: rows of so many columns."""
+    """Returns the numbers as a read-only array with the given number of columns, without a copy."""
     numbers = np.frombuffer(data, dtype=np.float64)
     return numbers if columns is None else numbers.reshape(-1, columns)
 
 
 @dataclass(frozen=True)
 class Peak:
-    """The largest magnitude of a number over time, with its sign, and when."""
+    """The value of largest magnitude of a quantity over time, with its sign, and its time."""
 
     value: float
     t: float
@@ -44,8 +44,11 @@ class Peak:
 
 @dataclass(frozen=True)
 class Quantity:
-    """One number over time with its rates, as arrays: a coordinate, the angle of a joint, a slide. Rates are `None` where
-    they are not known.   [unit, unit/s, unit/s², unit/s³]"""
+    """One quantity over time with its derivatives, as arrays: a coordinate, the angle of a joint, a slide. [unit,
+    unit/s, unit/s², unit/s³]
+
+    A derivative is `None` if it is unknown.
+    """
 
     name: str
     unit: str
@@ -61,11 +64,11 @@ class Quantity:
         return Quantity(name, unit, times, *(array(one) for one in lists))
 
     def renamed(self, name: str) -> "Quantity":
-        """The same under another name."""
+        """Returns the quantity with another name."""
         return replace(self, name=name)
 
     def __sub__(self, other: "Quantity") -> "Quantity":
-        """The difference of two measures of one motion, with its rates."""
+        """Returns the difference of two quantities of one motion, with its derivatives."""
         if not isinstance(other, Quantity):
             return NotImplemented
         pairs = ((getattr(self, one), getattr(other, one)) for one in ("value", "velocity", "acceleration", "jerk"))
@@ -74,37 +77,37 @@ class Quantity:
 
     @property
     def rate(self) -> Any:
-        """ẋ: the same as `velocity`."""
+        """The derivative ẋ, the same array as `velocity`."""
         return self.velocity
 
     @property
     def second_rate(self) -> Any:
-        """ẍ: the same as `acceleration`."""
+        """The derivative ẍ, the same array as `acceleration`."""
         return self.acceleration
 
     @property
     def max(self) -> float:
-        """The largest of the values."""
+        """The largest value."""
         return float(np.max(self.value))
 
     @property
     def min(self) -> float:
-        """The smallest of the values."""
+        """The smallest value."""
         return float(np.min(self.value))
 
     @property
     def at_max(self) -> float:
-        """The first time at which it is largest.   [s]"""
+        """The first time of the largest value. [s]"""
         return float(self.times[np.argmax(self.value)])
 
     @property
     def at_min(self) -> float:
-        """The first time at which it is smallest.   [s]"""
+        """The first time of the smallest value. [s]"""
         return float(self.times[np.argmin(self.value)])
 
     @property
     def rms(self) -> float:
-        """The root mean square over time, by trapezia."""
+        """The root mean square over time, by the trapezoidal rule."""
         if len(self.value) < 2:
             return float(np.max(np.abs(self.value)))
         square, steps = np.square(self.value), np.diff(self.times)
@@ -112,15 +115,18 @@ class Quantity:
 
     @property
     def peak(self) -> Peak:
-        """The largest magnitude, the first one of several, and when."""
+        """The value of largest magnitude, with its first time."""
         k = int(np.argmax(np.abs(self.value)))
         value, t = float(self.value[k]), float(self.times[k])
         return Peak(value, t, self.unit, f"{value:.6g} {self.unit} at t = {t:.6g}")
 
     def crossings(self, value: float) -> list[tuple[float, bool]]:
-        """When it passes a value, by straight lines between its times, and whether it rises there: where a drive begins to hold
-        back, or a pin to be lifted. Of what can be measured `System.crossings` is exact. A value that is reached and left to the
-        same side is not passed."""
+        """Returns the times at which the quantity passes a value, by linear interpolation, and the directions.
+
+        Use this method for the time at which a drive begins to brake, or at which a pin lifts. For a measure use
+        `System.crossings`, which solves poses. A quantity that reaches the value and returns to the same side does not
+        pass the value.
+        """
         off = np.asarray(self.value) - value
         there = np.flatnonzero((off != 0) & ~np.isnan(off))
         found = []
@@ -140,7 +146,7 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Point:
-    """A point of a body over time: `r`, `v`, `a` (and `jerk` where the run was asked for it), a row a time."""
+    """A point of a body over time: `r`, `v`, `a`, and `jerk` if the run computed the jerk; a row for each time."""
 
     times: Any
     r: Any
@@ -151,23 +157,23 @@ class Point:
 
     @property
     def speed(self) -> Any:
-        """|v|   [m/s]"""
+        """The speed |v|. [m/s]"""
         return np.linalg.norm(self.v, axis=1)
 
     @property
     def acceleration_magnitude(self) -> Any:
-        """|a|   [m/s²]"""
+        """The magnitude |a| of the acceleration. [m/s²]"""
         return np.linalg.norm(self.a, axis=1)
 
     @property
     def jerk_magnitude(self) -> Any:
-        """|jerk|, where the run was asked for it.   [m/s³]"""
+        """The magnitude of the jerk, if the run computed the jerk. [m/s³]"""
         if self.jerk is None:
             raise AttributeError("the motion has no jerk. Request it by run(times, jerk=True)")
         return np.linalg.norm(self.jerk, axis=1)
 
     def along(self, n: Any) -> Quantity:
-        """Its coordinate in a global direction n, with its rates: r · n / |n|.   [m]"""
+        """Returns the coordinate r · n / |n| of the point along a global direction n, with its derivatives. [m]"""
         direction = np.array(flat(n))
         unit = direction / np.linalg.norm(direction)
         r, v, a = (one @ unit for one in (self.r, self.v, self.a))
@@ -176,8 +182,9 @@ class Point:
 
 @dataclass(frozen=True)
 class Rotation:
-    """How a spatial body turns: `omega`, `alpha` (and its rate where the run was asked for the jerk), a row a time.   [rad/s,
-    rad/s²]"""
+    """The rotation of a spatial body: `omega` and `alpha`, and the derivative of `alpha` if the run computed the jerk;
+    a row for each time. [rad/s, rad/s²]
+    """
 
     times: Any
     omega: Any
@@ -186,19 +193,22 @@ class Rotation:
 
     @property
     def speed(self) -> Any:
-        """|ω|   [rad/s]"""
+        """The magnitude |ω| of the angular velocity. [rad/s]"""
         return np.linalg.norm(self.omega, axis=1)
 
     def about(self, h: Any) -> Any:
-        """ω · h / |h|, the angular velocity about a direction in the same components.   [rad/s]"""
+        """Returns the angular velocity ω · h / |h| about a direction h in the same components. [rad/s]"""
         direction = np.array(flat(h))
         return self.omega @ (direction / np.linalg.norm(direction))
 
 
 @dataclass(frozen=True)
 class Break:
-    """A break of a law that a run has crossed: of the law `law` of a `constraint`, at the argument `x`, between two times; from
-    derivative `order` on it jumps (0 the value, 1 the slope)."""
+    """A break of a law that a run has crossed.
+
+    The break is in the law `law` of the `constraint`, at the argument `x`, between two times. `order` is the lowest
+    derivative that jumps (0 is the value, 1 the slope).
+    """
 
     between: tuple[float, float]
     constraint: str
@@ -209,8 +219,10 @@ class Break:
 
 @dataclass(frozen=True)
 class Displacement:
-    """How far the first position of a body or angle is from its guess; `None` where nobody has said where it is. `hint` is the
-    likely cause, where that is farther than assembly leads as a rule.   [m, rad]"""
+    """The distance between the guess and the first position of a body or angle. [m, rad]
+
+    A value is `None` if the user gave no position. `hint` is the likely cause, if the distance is larger than usual.
+    """
 
     name: str
     moved: Optional[float]
@@ -220,7 +232,7 @@ class Displacement:
 
 @dataclass(frozen=True)
 class Event:
-    """Something that happens at one time of a motion."""
+    """An event at one time of a motion."""
 
     t: float
     kind: str
@@ -229,12 +241,14 @@ class Event:
 
 
 class MotionWarning(UserWarning):
-    """A usual slip that Kin sees in a run that succeeds: the numbers are right for the mechanism as it was described, but it may
-    not be the one that was meant. `kind` is "degrees", "far from drawn", "singular start" or "beyond range"; `names` are the
-    constraints, bodies and coordinates that the warning concerns.
+    """A common mistake that Kin suspects although the run succeeds.
 
-    A run passes each of its warnings to `warnings.warn`; `warnings.simplefilter("ignore", kin.MotionWarning)` hides them, and
-    "error" in place of "ignore" makes exceptions of them.
+    The numbers of the motion are correct for the mechanism in the program, but the user may have intended another
+    mechanism. `kind` is "degrees", "far from drawn", "singular start" or "beyond range". `names` lists the constraints,
+    bodies and coordinates that the warning concerns.
+
+    A run passes each warning to `warnings.warn`. `warnings.simplefilter("ignore", kin.MotionWarning)` hides the
+    warnings, and "error" instead of "ignore" raises them as exceptions.
     """
 
     kind: str
@@ -250,25 +264,28 @@ class MotionWarning(UserWarning):
 
 
 class Motion:
-    """Position, velocity and acceleration at each time. Arrays are made once and are read-only, a row a time:
-    `times`, `q`, `qd`, `qdd`; `motion["crank.theta"]` is a coordinate with its rates."""
+    """Position, velocity and acceleration at each time.
+
+    `times`, `q`, `qd` and `qdd` are read-only arrays with a row for each time, which Kin creates once.
+    `motion["crank.theta"]` is a coordinate with its derivatives.
+    """
 
     def __init__(self, native: "_native.Motion") -> None:
         self._native = native
 
     @property
     def name(self) -> str:
-        """Name of the mechanism."""
+        """The name of the mechanism."""
         return self._native.name()
 
     @cached_property
     def names(self) -> list[str]:
-        """Names of the coordinates, such as `crank.theta`."""
+        """The names of the coordinates, such as `crank.theta`."""
         return self._native.names()
 
     @cached_property
     def units(self) -> list[str]:
-        """Units of the coordinates."""
+        """The units of the coordinates."""
         return self._native.units()
 
     def __len__(self) -> int:
@@ -281,22 +298,22 @@ class Motion:
 
     @cached_property
     def q(self) -> Any:
-        """q, a row a time, a column a coordinate.   [m, rad]"""
+        """The positions q: a row for each time, a column for each coordinate. [m, rad]"""
         return self._rows(0)
 
     @cached_property
     def qd(self) -> Any:
-        """q̇   [m/s, rad/s]"""
+        """The velocities q̇: a row for each time, a column for each coordinate. [m/s, rad/s]"""
         return self._rows(1)
 
     @cached_property
     def qdd(self) -> Any:
-        """q̈   [m/s², rad/s²]"""
+        """The accelerations q̈: a row for each time, a column for each coordinate. [m/s², rad/s²]"""
         return self._rows(2)
 
     @cached_property
     def qddd(self) -> Any:
-        """q⃛, where the run was asked for the jerk (`run(times, jerk=True)`).   [m/s³, rad/s³]"""
+        """The jerks q⃛, if the run computed the jerk (`run(times, jerk=True)`). [m/s³, rad/s³]"""
         if not self._native.has_jerk():
             raise AttributeError("the motion has no jerk. Request it by run(times, jerk=True)")
         return self._rows(3)
@@ -307,23 +324,26 @@ class Motion:
 
     @cached_property
     def iterations(self) -> Any:
-        """Newton steps taken at each time."""
+        """The number of Newton steps at each time."""
         return np.array(self._native.iterations())
 
     @cached_property
     def residuals(self) -> Any:
-        """max |C_i| at each time, in the unit of its row."""
+        """The largest residual max |C_i| at each time, in the unit of its row."""
         return array(self._native.residuals())
 
     def __getitem__(self, name: Union[str, Coordinate]) -> Quantity:
-        """A coordinate over time, by its name or as a body gives it: `motion["crank.theta"]`, `motion[crank.theta]`."""
+        """Returns a coordinate over time, by its name or its handle: `motion["crank.theta"]`, `motion[crank.theta]`."""
         key = coordinate_name(self.names, name.name if isinstance(name, Coordinate) else name)
         return Quantity._of(self._native.named(key), self.times)
 
     def quantity(self, name: str, unit: str, orders: Any) -> Quantity:
-        """One number over the times of this motion that is computed from it: `orders` are x, ẋ, ẍ and, where it is known, x⃛, one
-        a time each, x in `unit`. It is for a measure that is a function of a motion (`system.extremes`); whoever computes it
-        answers for its rates."""
+        """Creates a quantity over the times of this motion from computed values.
+
+        `orders` are x, ẋ, ẍ and, if known, x⃛, with one value for each time; x is in `unit`. Use this method in a
+        measure that is a function of a motion (`system.extremes`). Kin does not check that the derivatives match the
+        values.
+        """
         lists = [np.asarray(one, dtype=float) for one in orders]
         if not 3 <= len(lists) <= 4 or any(one.shape != (len(self.times),) for one in lists):
             text = f"`{name}`: x, its rate and its second rate are lists of {len(self.times)} numbers, one a time"
@@ -331,7 +351,9 @@ class Motion:
         return Quantity(name, unit, self.times, *lists)
 
     def point(self, body: Union[PlanarBody, SpatialBody, Ground], local: Any = None) -> Point:
-        """r, v and a of the point with local position `local` of a body, its origin where none is given.   [m, m/s, m/s²]"""
+        """Returns r, v and a of the point with local position `local` of a body; the default is the origin of the body.
+        [m, m/s, m/s²]
+        """
         if isinstance(body, Ground):
             fixed = np.tile(np.array(flat(local if local is not None else (0.0, 0.0))), (len(self), 1))
             return Point(self.times, fixed, np.zeros_like(fixed), np.zeros_like(fixed))
@@ -341,14 +363,19 @@ class Motion:
         return Point(self.times, r, v, a, jerk[0] if jerk else None, self._native.unit_words()[0])
 
     def rotation(self, body: Union[SpatialBody, SpatialLink], *, in_body: bool = False) -> Rotation:
-        """Angular velocity and acceleration of a spatial body, in global components or those of the body."""
+        """Returns the angular velocity and acceleration of a spatial body, in global components or in those of the
+        body.
+        """
         found = self._native.rotation(body.name, in_body)
         return Rotation(self.times, *(array(one, 3) for one in found))
 
     def distance(self, a: Handle, p: Any, b: Handle, q: Any) -> Quantity:
-        """|r_P − r_Q| with its rates, P at p in body a, Q at q in body b: the length of a cylinder, the clearance of two edges.   [m]
+        """Returns the distance |r_P − r_Q| with its derivatives, where P is at p in body a and Q is at q in body b. [m]
 
-        Raises an error by name: bodies of another mechanism, points that meet, where a distance has no rate.
+        Use the distance for the length of a cylinder or the clearance of two edges.
+
+        Raises an error if a body belongs to another mechanism, or if the points coincide, where the distance has no
+        derivative.
         """
         points = flat(p), flat(q)
         in_plane = len(points[0]) == 2
@@ -356,60 +383,77 @@ class Motion:
         return Quantity._of(self._native.distance(in_plane, (names[0], points[0]), (names[1], points[1])), self.times)
 
     def relative_angle(self, a: PlanarLike, b: PlanarLike) -> Quantity:
-        """θ_a − θ_b, any number of turns.   [rad]"""
+        """Returns the angle θ_a − θ_b, which counts full revolutions. [rad]"""
         names = (_name_of("relative_angle", body, PlanarBody) for body in (a, b))
         return Quantity._of(self._native.relative_angle(*names), self.times)
 
     def transmission_angle(
         self, coupler: Union[PlanarLike, tuple[PlanarLike, Any]], driven: Union[PlanarLike, tuple[PlanarLike, Any]]
     ) -> Quantity:
-        """The angle between a coupler and what it drives, between 0 and π/2, with its rates: the nearer to π/2, the better it pushes.
-        A body is told by its x-axis, along which the pins of a link are, or as (body, direction): of a slider
-        `motion.transmission_angle(rod, (m.ground, (0, 1)))`.   [rad]"""
+        """Returns the transmission angle between a coupler and the link that it drives, from 0 to π/2, with its
+        derivatives. [rad]
+
+        The closer the angle is to π/2, the better the coupler transmits force. A body gives the direction of its
+        x-axis, which is the line through the pins of a link. A pair (body, direction) gives another direction. For a
+        slider write `motion.transmission_angle(rod, (m.ground, (0, 1)))`.
+        """
         lines = (_line(one) for one in (coupler, driven))
         return Quantity._of(self._native.transmission_angle(*lines), self.times)
 
     def instant_centre(self, a: PlanarLike, b: PlanarLike) -> Any:
-        """The point that has the same velocity in both of two planar bodies, (−v_y, v_x)/ω of the one against the other, in the global
-        frame, a row a time; NaN where they do not turn against each other.   [m]"""
+        """Returns the instant centre of two planar bodies, in the global frame, a row for each time. [m]
+
+        The instant centre is the point with the same velocity in both bodies, (−v_y, v_x)/ω of the relative motion. The
+        row is NaN at times at which the bodies do not rotate relative to each other.
+        """
         names = (_name_of("instant_centre", body, PlanarBody) for body in (a, b))
         found = self._native.instant_centre(*names)
         return np.array([(np.nan, np.nan) if one is None else one for one in found]).reshape(-1, 2)
 
     @property
     def summary(self) -> str:
-        """Counts, Newton steps, the largest residual, and how far the first position is from the drawn one."""
+        """A summary: counts, Newton steps, the largest residual, and the distance of the first position from the drawn
+        position.
+        """
         return self._native.summary()
 
     @property
     def worst(self) -> Optional[str]:
-        """Name of the equation with the largest residual of all, such as `A.x`."""
+        """The name of the equation with the largest residual of all times, such as `A.x`."""
         return self._native.facts()[1]
 
     @property
     def misfit(self) -> float:
-        """The contradiction of redundant equations as a share of their norms; 0 unless `allowed_misfit` allows it.   [-]"""
+        """The contradiction of redundant equations as a share of their norms; 0 unless `allowed_misfit` allows a
+        contradiction. [-]
+        """
         return self._native.facts()[2]
 
     @property
     def displaced(self) -> list[Displacement]:
-        """How far each body and bare angle is at the first time from its guess, the worst first."""
+        """The distance between the guess and the first position of each body and scalar angle, the largest first."""
         return [Displacement(*one) for one in self._native.displaced()]
 
     @property
     def breaks(self) -> list[Break]:
-        """The breaks of laws that were crossed, where a derivative of the motion jumps, in the order of time."""
+        """The breaks of laws that the run crossed, in the order of time.
+
+        At each break a derivative of the motion jumps.
+        """
         return [Break(*one) for one in self._native.breaks()]
 
     @property
     def events(self) -> list[Event]:
-        """What happened on the way: ends of slots, limits, toggles, change points, kinks, ends of tables that the run goes beyond."""
+        """The events of the motion: ends of slots, limits, toggles, change points, kinks, and ends of tables."""
         return [Event(*one) for one in self._native.events()]
 
     @property
     def warnings(self) -> list[MotionWarning]:
-        """Usual slips that still give a motion: numbers that look like degrees, a first position far from the drawn one, a start near a
-        singular position, a table that ends before the run. At most four of a kind."""
+        """The warnings of the motion: common mistakes with which a run still succeeds.
+
+        Kin warns of numbers that look like degrees, a first position far from the drawn position, a start near a
+        singular position, and a table that ends before the run. The list contains at most four warnings of each kind.
+        """
         return [MotionWarning(*one) for one in self._native.warnings()]
 
     def _warn(self) -> None:
@@ -419,24 +463,29 @@ class Motion:
 
     @property
     def singular_positions(self) -> list[dict[str, Any]]:
-        """Change points, and at last a toggle, in the order of time."""
+        """The singular positions of the run in the order of time: change points, and a toggle as the last one."""
         found: list[dict[str, Any]] = json.loads(self._native.singular_positions())
         return found
 
     @property
     def engine(self) -> tuple[int, int]:
-        """How many times a program has computed (`run(times, engine="compiled")`), and how often it has handed back."""
+        """The number of times that a program has computed (`run(times, engine="compiled")`), and the number of returns
+        to the step-by-step solver.
+        """
         return self._native.engine()
 
     @property
     def why_not_compiled(self) -> Optional[str]:
-        """Why all of it was computed by plain steps, where a program would have paid, by the name of the constraint in the way."""
+        """The reason why the step-by-step solver computed everything although a program would have been faster.
+
+        The reason names the constraint.
+        """
         return self._native.facts()[0]
 
     # Pictures.
 
     def chart(self, *what: Union[str, Coordinate], title: str = "") -> Picture:
-        """Coordinates over time as a chart, which shows itself in a notebook."""
+        """Returns a chart of coordinates over time, which a notebook shows."""
         names = [coordinate_name(self.names, one.name if isinstance(one, Coordinate) else one) for one in what]
         return Picture(self._native.chart(title or ", ".join(names), names))
 
@@ -446,7 +495,9 @@ class Motion:
     # Tables and files.
 
     def columns(self) -> dict[str, Any]:
-        """Time, and each coordinate with its rates, by the headers of the CSV file: `t`, `crank.theta`, `crank.theta'`, …"""
+        """Returns time, and each coordinate with its derivatives, by the headers of the CSV file: `t`, `crank.theta`,
+        `crank.theta'`, …
+        """
         table: dict[str, Any] = {"t": self.times}
         for k, name in enumerate(self.names):
             for mark, rows in (("", self.q), ("'", self.qd), ("''", self.qdd)):
@@ -454,36 +505,38 @@ class Motion:
         return table
 
     def to_pandas(self) -> Any:
-        """The columns as a pandas DataFrame, which has to be installed."""
+        """Returns the columns as a pandas DataFrame. The package pandas must be installed."""
         import pandas
 
         return pandas.DataFrame(self.columns())
 
     def to_arrow(self) -> Any:
-        """The columns as a table of Arrow (pyarrow, which has to be installed)."""
+        """Returns the columns as an Arrow table. The package pyarrow must be installed."""
         import pyarrow
 
         return pyarrow.table(self.columns())
 
     def write_csv(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes all numbers with 17 digits, units in the header, making folders that are missing."""
+        """Writes all numbers with 17 digits and units in the header, and creates missing folders."""
         self._native.write_csv(os.fspath(path))
 
     def write_json(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the motion without loss."""
+        """Writes the motion to a JSON file without loss."""
         self._native.write_json(os.fspath(path))
 
     def to_json(self) -> str:
-        """The motion as the text of a file."""
+        """Returns the motion as the text of a file."""
         return self._native.to_json()
 
     @staticmethod
     def from_states(system: "System", times: Any, q: Any, qd: Any, qdd: Any) -> "Motion":
-        """A motion that was measured, or comes from elsewhere: q, q̇ and q̈ a row a time, a column a coordinate of the system, whose
-        forces and measures it can then be asked for.   [m, rad, s]
+        """Creates a motion from measured states, or from states of another program. [m, rad, s]
 
-        Raises an error by name: arrays of other shapes, numbers that are not finite, times that do not only increase or only
-        decrease.
+        q, q̇ and q̈ have a row for each time and a column for each coordinate of the system. You can compute the forces
+        and measures of the motion.
+
+        Raises an error if an array has another shape, if a number is not finite, or if the times do not only increase
+        or only decrease.
         """
         from ._system import as_bytes
 
@@ -498,12 +551,12 @@ class Motion:
 
     @staticmethod
     def from_json(text: str) -> "Motion":
-        """The motion that such a text says."""
+        """Creates a motion from the text of a file."""
         return Motion(_native.Motion.from_json(text))
 
     @staticmethod
     def read_json(path: Union[str, "os.PathLike[str]"]) -> "Motion":
-        """The motion of such a file."""
+        """Reads a motion from a file."""
         with open(os.fspath(path), encoding="utf-8") as file:
             return Motion.from_json(file.read())
 
@@ -537,7 +590,9 @@ _SHORT = {"x": "R_x", "y": "R_y", "z": "R_z"}
 
 
 def orders_of(made: Any) -> tuple[str, str, list[list[float]]]:
-    """What a function of a motion has given, as the native part takes it: name, unit, x, ẋ, ẍ and x⃛ (empty if there is none)."""
+    """Converts the result of a function of a motion for the native module: name, unit, x, ẋ, ẍ and x⃛ (empty if
+    unknown).
+    """
     if not isinstance(made, Quantity):
         raise TypeError(f"a measure is a function of a motion that gives a kin.Quantity, not {made!r}")
     if made.velocity is None or made.acceleration is None:
@@ -548,7 +603,7 @@ def orders_of(made: Any) -> tuple[str, str, list[list[float]]]:
 
 
 def place_of(call: str, body: Any, local: Any) -> tuple[str, str, list[float]]:
-    """The kind and name of a body, and a local position on it: its origin where none is given."""
+    """Returns the kind and name of a body, and a local position; the default is the origin."""
     if not isinstance(body, (PlanarBody, SpatialBody)):
         raise TypeError(f"`{call}` takes a body, not {body!r}")
     kind, n = ("spatial", 3) if isinstance(body, SpatialBody) else ("planar", 2)
@@ -556,7 +611,7 @@ def place_of(call: str, body: Any, local: Any) -> tuple[str, str, list[float]]:
 
 
 def coordinate_name(names: Any, name: str) -> str:
-    """The name as it is, or `slider.R_y` for `slider.y`."""
+    """Returns the name unchanged, or `slider.R_y` for `slider.y`."""
     if name in names or "." not in name:
         return name
     body, axis = name.rsplit(".", 1)

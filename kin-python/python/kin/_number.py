@@ -1,4 +1,4 @@
-"""Arithmetic and NumPy's functions of numbers that stand for something: of those that are traced, and of dimensions."""
+"""Implements arithmetic and NumPy's functions for traced numbers and for dimensions."""
 
 from __future__ import annotations
 
@@ -15,7 +15,10 @@ N = TypeVar("N", bound="Number")
 
 
 class Number(Operand):
-    """A number that writes down what is done with it. A kind of them says how operators and functions are written."""
+    """A number that records its operations.
+
+    Each subclass says how operators and functions are written.
+    """
 
     __slots__ = ()
 

@@ -1,4 +1,6 @@
-"""Pictures and pages: each is one text without links to elsewhere, saved as a file or shown by a notebook."""
+"""Defines pictures and pages: each is one text without external links, which you can save as a file or show in a
+notebook.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +17,7 @@ class Picture:
         self.svg = svg
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes it, making folders that are missing."""
+        """Writes the picture to a file and creates missing folders."""
         _write(path, self.svg)
 
     def _repr_svg_(self) -> str:
@@ -26,13 +28,13 @@ class Picture:
 
 
 class Page:
-    """A page as HTML, all that it needs in one file."""
+    """A page as HTML, self-contained in one file."""
 
     def __init__(self, text: str) -> None:
         self.html = text
 
     def save(self, path: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes it, making folders that are missing."""
+        """Writes the page to a file and creates missing folders."""
         _write(path, self.html)
 
     def _repr_html_(self) -> str:

@@ -1,4 +1,4 @@
-"""The line of the user's program that is at work."""
+"""Finds the line of the user's program that is running."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 def users_line() -> tuple[str, int]:
-    """File and line of the innermost frame that is not of this package or of NumPy."""
+    """Returns the file and line of the innermost frame that belongs neither to this package nor to NumPy."""
     frame = sys._getframe(1)
     numpy_home = os.path.dirname(np.__file__)
     while frame is not None:

@@ -1,4 +1,4 @@
-"""What a system answers with: positions, assemblies, proofs, programs."""
+"""Defines the results of a system: positions, assemblies, proofs, programs."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from ._short import short
 @short
 @dataclass(frozen=True)
 class Solution:
-    """Position, velocity and acceleration at one time."""
+    """The position, velocity and acceleration at one time."""
 
     t: float
     q: Any
@@ -28,15 +28,18 @@ class Solution:
 @short
 @dataclass(frozen=True)
 class Assembly:
-    """One way to put a mechanism together: its label, and its pose."""
+    """One assembly of a mechanism: its label and its pose."""
 
     label: str
     q: Any
 
 
 class Assemblies(list):  # type: ignore[type-arg]
-    """The assemblies that were found, a list, and whether these are all: `complete` is `"proved"`, `"believed"` (more starts are not
-    expected to lead to another one) or `"unknown"`, for this `reason`."""
+    """The list of found assemblies.
+
+    `complete` is `"proved"`, `"believed"` (Kin expects no other assembly from more starts) or `"unknown"`, and `reason`
+    gives the reason.
+    """
 
     complete: str
     reason: str
@@ -49,8 +52,12 @@ class Assemblies(list):  # type: ignore[type-arg]
 @short
 @dataclass(frozen=True)
 class StepProof:
-    """One step of a motion that is proved, or not: `radius`, within which of the interpolated position there is a solution at every
-    time, and `alone`, within which there is no other, a number a coordinate; else the `doubt`, and its time.   [m, rad, s]"""
+    """The proof of one step of a motion. [m, rad, s]
+
+    If Kin proved the step, a solution exists within `radius` of the interpolated position at every time, and no other
+    solution exists within `alone`; both have a number for each coordinate. Otherwise `doubt` is the obstacle, with its
+    time.
+    """
 
     start: float
     end: float
@@ -63,7 +70,7 @@ class StepProof:
 @short
 @dataclass(frozen=True)
 class Proof:
-    """What interval bounds show of a motion; `print` shows it in words."""
+    """The proof of a motion by interval bounds. `print` shows the result in words."""
 
     text: str
     is_complete: bool
@@ -85,12 +92,12 @@ class Proof:
 
     @property
     def proved(self) -> int:
-        """How many steps were proved."""
+        """The number of proved steps."""
         return sum(one.doubt is None for one in self.steps)
 
     @property
     def first_unproved(self) -> Optional[StepProof]:
-        """The first step that was not proved."""
+        """The first step without a proof."""
         return next((one for one in self.steps if one.doubt is not None), None)
 
     def __str__(self) -> str:
@@ -100,8 +107,11 @@ class Proof:
 @short
 @dataclass(frozen=True)
 class Compiled:
-    """The program of a system: coordinates that rows give (`substituted`), those that are left to Newton's method (`unknowns`), how
-    many of these are solved together, block by block, and its number of `steps`. `print` shows it in words."""
+    """The compiled program of a system. `print` shows a summary.
+
+    Rows determine the `substituted` coordinates, and Newton's method computes the `unknowns`. The other fields are the
+    number of coordinates of each block, and the number of `steps` of the program.
+    """
 
     text: str
     substituted: list[str]

@@ -1,4 +1,4 @@
-"""Numbers of a traced function: what the function does with them is written down as text of Kin's language."""
+"""Defines the numbers of a traced function, which write their operations as text in Kin's language."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Traced(Operand):
-    """Anything that stands for a part of a traced function: a node of its trace."""
+    """A part of a traced function: a node of its trace."""
 
     __slots__ = ("_trace", "_node")
 
@@ -38,7 +38,7 @@ class Traced(Operand):
 
 
 class Condition(Traced):
-    """A comparison of traced numbers: for `kin.where`, `&`, `|` and `~`."""
+    """A comparison of traced numbers, for `kin.where`, `&`, `|` and `~`."""
 
     __slots__ = ()
 
@@ -112,7 +112,7 @@ class Expr(Traced, Number):
         _mistakes.count(users_line())
 
     def sign(self) -> Any:
-        """0 at 0, as NumPy's; its slope is 0."""
+        """Returns the sign; 0 at 0 as in NumPy, with the slope 0."""
         from ._functions import where
 
         return where(self > 0.0, 1.0, where(self < 0.0, -1.0, 0.0))

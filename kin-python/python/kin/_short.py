@@ -1,4 +1,4 @@
-"""What results show of themselves at the prompt: a few lines, however long they are."""
+"""Shortens the texts of results at the prompt to a few lines."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ _REPR.maxlevel = 3
 
 
 def shown(value: Any) -> str:
-    """A value as `repr` shows it, with the middle left out where it is long."""
+    """Returns the `repr` of a value, without the middle part if it is long."""
     return _REPR.repr(value)
 
 
 def short(kind: type[T]) -> type[T]:
-    """A dataclass whose `repr` leaves out the middle of long fields; `str` and the fields have all."""
+    """Makes a dataclass whose `repr` omits the middle of long fields; `str` and the fields contain everything."""
 
     def __repr__(self: Any) -> str:
         return f"{type(self).__name__}({', '.join(f'{one.name}={shown(getattr(self, one.name))}' for one in fields(self))})"

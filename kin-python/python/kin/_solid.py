@@ -1,4 +1,4 @@
-"""Masses of bodies: mass, centre and inertia, by numbers or by shapes with a density."""
+"""Computes masses of bodies: mass, centre and inertia, from numbers or from shapes with a density."""
 
 from __future__ import annotations
 
@@ -14,8 +14,11 @@ Mass = tuple[float, tuple[float, ...], tuple[tuple[float, ...], ...]]
 
 @dataclass(frozen=True)
 class Solid:
-    """Mass, centre of mass in the body's frame, inertia about it in the body's axes (products with the sign of J = ∫ (r² I − r
-    rᵀ) dm); in a plane J_zz alone counts.   [kg, m, kg m²]"""
+    """The mass, the centre of mass in the body frame, and the inertia about the centre of mass in the axes of the body.
+    [kg, m, kg m²]
+
+    The products of inertia have the sign of J = ∫ (r² I − r rᵀ) dm. A planar body uses only J_zz.
+    """
 
     mass: float
     centre: tuple[float, ...]
@@ -31,49 +34,55 @@ class Solid:
 
     @staticmethod
     def cuboid(a: float, b: float, c: float, density: float) -> "Solid":
-        """A box of these sizes along x, y and z, its centre at the origin: J_xx = m (b² + c²)/12.   [m, kg/m³]"""
+        """Creates a box with these sizes along x, y and z and its centre at the origin: J_xx = m (b² + c²)/12. [m,
+        kg/m³]
+        """
         return Solid._shape("cuboid", [a, b, c], density)
 
     @staticmethod
     def bar(length: float, height: float, width: float, density: float) -> "Solid":
-        """A bar along x, its centre at the origin, where the frame of a link is.   [m, kg/m³]"""
+        """Creates a bar along x with its centre at the origin, like the frame of a link. [m, kg/m³]"""
         return Solid._shape("cuboid", [length, height, width], density)
 
     @staticmethod
     def cylinder(radius: float, length: float, density: float) -> "Solid":
-        """A cylinder along x, its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² + l²)/12.   [m, kg/m³]"""
+        """Creates a cylinder along x with its centre at the origin: J_xx = m r²/2, J_yy = J_zz = m (3 r² + l²)/12. [m,
+        kg/m³]
+        """
         return Solid._shape("cylinder", [radius, length], density)
 
     @staticmethod
     def disc(radius: float, thickness: float, density: float) -> "Solid":
-        """A disc in the plane, its axis along z, its centre at the origin.   [m, kg/m³]"""
+        """Creates a disc in the xy-plane with its axis along z and its centre at the origin. [m, kg/m³]"""
         return Solid._shape("disc", [radius, thickness], density)
 
     @staticmethod
     def sphere(radius: float, density: float) -> "Solid":
-        """A ball, its centre at the origin: J = 2/5 m r².   [m, kg/m³]"""
+        """Creates a ball with its centre at the origin: J = 2/5 m r². [m, kg/m³]"""
         return Solid._shape("sphere", [radius], density)
 
     @staticmethod
     def plate(corners: Any, thickness: float, density: float) -> "Solid":
-        """A plate whose outline in the xy-plane has these corners, in order either way round, z = 0 in its middle.   [m,
-        kg/m³]"""
+        """Creates a plate from the corners of its outline in the xy-plane, with z = 0 in its middle. [m, kg/m³]
+
+        The corners are in order, in either direction.
+        """
         return Solid._shape("plate", [thickness, *flat(corners)], density)
 
     def at(self, centre: VectorLike) -> "Solid":
-        """The same with its centre at another point of the body.   [m]"""
+        """Moves the solid so that its centre of mass is at another point of the body. [m]"""
         return Solid(self.mass, tuple(in_space(flat(centre))), self.inertia)
 
     def turned(self, p: Any) -> "Solid":
-        """The same turned about the body's origin by Euler parameters: c̄ → A c̄, J → A J Aᵀ."""
+        """Rotates the solid about the origin of the body by Euler parameters: c̄ → A c̄, J → A J Aᵀ."""
         return _solid(_native.solid_turned(self._tuple(), euler_of(p)))
 
     def and_(self, other: "Solid") -> "Solid":
-        """Both as one body."""
+        """Joins two solids to one solid."""
         return _solid(_native.solid_joined(self._tuple(), other._tuple(), False))
 
     def without(self, hole: "Solid") -> "Solid":
-        """The same with another one cut out of it."""
+        """Cuts another solid out of this solid."""
         return _solid(_native.solid_joined(self._tuple(), hole._tuple(), True))
 
     def _tuple(self) -> Mass:
@@ -85,7 +94,7 @@ def _solid(made: tuple[float, list[float], list[list[float]]]) -> Solid:
 
 
 def in_space(vector: Any) -> list[Any]:
-    """A vector of the plane or of space as one of space."""
+    """Converts a vector of the plane or of space to a vector of space."""
     found = items(vector)
     if len(found) not in (2, 3):
         raise TypeError(f"a vector has two or three components, not {len(found)}")
@@ -93,7 +102,7 @@ def in_space(vector: Any) -> list[Any]:
 
 
 def inertia_of(inertia: Any, in_plane: bool) -> list[Any]:
-    """A moment in the plane, a tensor in space (three numbers are its diagonal), by rows."""
+    """Returns the inertia by rows: from a moment in the plane, or from a tensor or its diagonal in space."""
     found = items(inertia)
     if in_plane and len(found) == 1:
         return [0.0] * 8 + found

@@ -1,4 +1,4 @@
-"""Stand-ins for the arguments of a traced function, and the same of plain numbers: the state of bodies, laws."""
+"""Defines placeholders for the arguments of a traced function, and the same states with plain numbers."""
 
 from __future__ import annotations
 
@@ -54,10 +54,12 @@ class _Body:
 
 
 class Planar(_Body):
-    """The state of a planar body, as a function under `@kin.constraint` sees it: `r`, `theta`, `point(u)`, … As a
-    call's argument it is a body, a link or the ground.
+    """The state of a planar body in a function under `@kin.constraint`: `r`, `theta`, `point(u)`, ….
 
-    `Planar(x, y, theta)` is a state of plain numbers, for calling the function itself.   [m, m, rad]"""
+    In a call of the decorated function, the argument is a body, a link or the ground.
+
+    `Planar(x, y, theta)` is a state of plain numbers, to evaluate the function itself. [m, m, rad]
+    """
 
     __slots__ = ()
     _VECTOR = Vec2
@@ -65,7 +67,7 @@ class Planar(_Body):
 
     @property
     def r(self) -> Vec2:
-        """R, the origin of its frame.   [m]"""
+        """The position R of the origin of the body frame. [m]"""
         if self._trace is None:
             return Vec2(*self._q[:2])
         made: Vec2 = Vec2._of(self._trace, self._trace.atom(f"{self._name}.r", "Vec2"))
@@ -73,50 +75,52 @@ class Planar(_Body):
 
     @property
     def theta(self) -> Scalar:
-        """θ, counter-clockwise, never wrapped.   [rad]"""
+        """The angle θ, counter-clockwise; the angle counts full revolutions. [rad]"""
         return self._q[2] if self._trace is None else self._scalar("theta")
 
     @property
     def sin(self) -> Scalar:
-        """sin θ"""
+        """The sine of θ."""
         return math.sin(self._q[2]) if self._trace is None else self._scalar("sin")
 
     @property
     def cos(self) -> Scalar:
-        """cos θ"""
+        """The cosine of θ."""
         return math.cos(self._q[2]) if self._trace is None else self._scalar("cos")
 
     def a(self) -> Mat2:
-        """A, the rotation from the body's frame to the global one."""
+        """The rotation matrix A from the body frame to the global frame."""
         if self._trace is None:
             return Mat2(self.cos, -self.sin, self.sin, self.cos)
         made: Mat2 = Mat2._of(self._trace, self._trace.atom(f"{self._name}.a()", "Mat2"))
         return made
 
     def direction(self, h: Any) -> Vec2:
-        """A h̄, a direction of the body as a global one."""
+        """Returns A h̄, the global components of a direction of the body."""
         given = self._vector("direction", h)
         made: Vec2 = self.a() @ given if self._trace is None else given
         return made
 
     def point(self, u: Any) -> Vec2:
-        """R + A ū, where a point of the body is.   [m]"""
+        """Returns R + A ū, the global position of a point of the body. [m]"""
         given = self._vector("point", u)
         made: Vec2 = self.r + self.a() @ given if self._trace is None else given
         return made
 
     def local(self, p: Any) -> Vec2:
-        """Aᵀ (p − R), a global point as the body sees it.   [m]"""
+        """Returns Aᵀ (p − R), the local position of a global point. [m]"""
         given = self._vector("local", p)
         made: Vec2 = self.a().transpose() @ (given - self.r) if self._trace is None else given
         return made
 
 
 class Spatial(_Body):
-    """The state of a spatial body, as a function under `@kin.constraint` sees it: `r`, `p`, `a()`, `point(u)`, … As a
-    call's argument it is a body or the ground.
+    """The state of a spatial body in a function under `@kin.constraint`: `r`, `p`, `a()`, `point(u)`, ….
 
-    `Spatial(x, y, z, e0, e1, e2, e3)` is a state of plain numbers, for calling the function itself.   [m, –]"""
+    In a call of the decorated function, the argument is a body or the ground.
+
+    `Spatial(x, y, z, e0, e1, e2, e3)` is a state of plain numbers, to evaluate the function itself. [m, –]
+    """
 
     __slots__ = ()
     _VECTOR = Vec3
@@ -124,7 +128,7 @@ class Spatial(_Body):
 
     @property
     def r(self) -> Vec3:
-        """R, the origin of its frame.   [m]"""
+        """The position R of the origin of the body frame. [m]"""
         if self._trace is None:
             return Vec3(*self._q[:3])
         made: Vec3 = Vec3._of(self._trace, self._trace.atom(f"{self._name}.r", "Vec3"))
@@ -132,7 +136,7 @@ class Spatial(_Body):
 
     @property
     def p(self) -> EulerParameters:
-        """Euler parameters, scalar first.   [–]"""
+        """The Euler parameters, scalar first. [–]"""
         if self._trace is None:
             return EulerParameters(*self._q[3:])
         node = self._trace.atom(f"{self._name}.p", "EulerParameters")
@@ -140,33 +144,33 @@ class Spatial(_Body):
         return made
 
     def a(self) -> Mat3:
-        """A, the rotation from the body's frame to the global one."""
+        """Returns the rotation matrix A from the body frame to the global frame."""
         if self._trace is None:
             return self.p.rotation()
         made: Mat3 = Mat3._of(self._trace, self._trace.atom(f"{self._name}.a()", "Mat3"))
         return made
 
     def direction(self, h: Any) -> Vec3:
-        """A h̄, a direction of the body as a global one."""
+        """Returns A h̄, the global components of a direction of the body."""
         given = self._vector("direction", h)
         made: Vec3 = self.a() @ given if self._trace is None else given
         return made
 
     def point(self, u: Any) -> Vec3:
-        """R + A ū, where a point of the body is.   [m]"""
+        """Returns R + A ū, the global position of a point of the body. [m]"""
         given = self._vector("point", u)
         made: Vec3 = self.r + self.a() @ given if self._trace is None else given
         return made
 
     def local(self, p: Any) -> Vec3:
-        """Aᵀ (p − R), a global point as the body sees it.   [m]"""
+        """Returns Aᵀ (p − R), the local position of a global point. [m]"""
         given = self._vector("local", p)
         made: Vec3 = self.a().transpose() @ (given - self.r) if self._trace is None else given
         return made
 
 
 class TracedLaw(Operand):
-    """A law among the arguments of a traced function: it is asked for values and slopes."""
+    """A law among the arguments of a traced function, which returns values and slopes."""
 
     def __init__(self, trace: Any, name: str) -> None:
         self._trace = trace
@@ -179,11 +183,11 @@ class TracedLaw(Operand):
         return Expr(self._trace, self._trace.op(f"{self._name}.{method}({{:a}})", "f64", node))
 
     def at(self, x: Any) -> Expr:
-        """f(x)"""
+        """Returns f(x)."""
         return self._asked("at", x)
 
     def slope(self, x: Any) -> Expr:
-        """f′(x)"""
+        """Returns f′(x)."""
         return self._asked("slope", x)
 
     __call__ = at
@@ -210,19 +214,24 @@ class TracedLaw(Operand):
 
 
 class Coord(Expr):
-    """A coordinate of its own, or one of a body's: a number in the function, `slider.x` or `m.angle(…)` in its call."""
+    """Marks a scalar coordinate or a coordinate of a body: a number in the function, `slider.x` or `m.angle(…)` in its
+    call.
+    """
 
     __slots__ = ()
 
 
 class Time(Expr):
-    """The time t: a number in the function, which is not given in its call.   [s]"""
+    """Marks the time t: a number in the function. A call of the function does not contain the time. [s]"""
 
     __slots__ = ()
 
 
 class Rate(Expr):
-    """The rate ẋ of the length or angle that a force acts along: a number in a function under `@kin.force`, which is not given
-    in its call.   [m/s, rad/s]"""
+    """Marks the velocity ẋ of the length or angle along which a force acts, in a function under `@kin.force`. [m/s,
+    rad/s]
+
+    A call of the function does not contain the velocity.
+    """
 
     __slots__ = ()

@@ -1,4 +1,4 @@
-"""Many cases of one system: rows of numbers in, rows of results and statuses out."""
+"""Runs many cases of one system: rows of numbers in, rows of results and statuses out."""
 
 from __future__ import annotations
 
@@ -17,8 +17,11 @@ Kept = Union[str, tuple[str, str]]
 
 @dataclass(frozen=True)
 class Rows:
-    """Results of a sweep: `values`, a row a case and a column a result, and `status`, empty where a case has succeeded
-    and the words of its error elsewhere (its results are NaN then)."""
+    """The results of a sweep.
+
+    `values` has a row for each case and a column for each result. `status` is empty for a case that succeeded. For a
+    case that failed, `status` is the text of the error and the results are NaN.
+    """
 
     names: list[str]
     values: Any
@@ -33,7 +36,7 @@ class Rows:
 
     @property
     def ok(self) -> Any:
-        """True for each case that has succeeded."""
+        """True for each case that succeeded."""
         return np.array([not one for one in self.status], dtype=bool)
 
     def __len__(self) -> int:
@@ -43,19 +46,19 @@ class Rows:
         return self.values[:, self.names.index(name)]
 
     def columns(self) -> dict[str, Any]:
-        """Each result by its name, and `status`."""
+        """Returns each result by its name, and `status`."""
         table: dict[str, Any] = {name: self.values[:, k] for k, name in enumerate(self.names)}
         table["status"] = np.array(self.status, dtype=object)
         return table
 
     def to_pandas(self) -> Any:
-        """The columns as a pandas DataFrame."""
+        """Returns the columns as a pandas DataFrame."""
         import pandas
 
         return pandas.DataFrame(self.columns())
 
     def to_arrow(self) -> Any:
-        """The columns as a table of Arrow."""
+        """Returns the columns as an Arrow table."""
         import pyarrow
 
         table = self.columns()
@@ -75,17 +78,19 @@ def sweep(
     progress: Progress = None,
     **options: Any,
 ) -> Rows:
-    """Runs the system over the times once for each row of `cases`, a number for each of `names`: parameters such as
-    `A.u_i.x` and initial values such as `rocker.theta`.
+    """Runs the system over the times once for each row of `cases`.
 
-    `keep` lists what is kept of each motion: "rocker.theta max", or ("rocker.theta", "max"). Of a measure or coordinate
-    `max`, `min`, `range`, `first`, `last`, and of its rates `max_rate` and `max_second_rate`, the largest absolute values;
-    of a column of forces, such as `motor` or `A on crank.F_x`, the first five. They are those of the times that are given: what
-    lies between them is reported by `system.extremes(motion, …)`, and by the command's `kin sweep`. A function of a motion cannot be kept.
+    A row has a number for each of `names`: parameters such as `A.u_i.x` and initial values such as `rocker.theta`.
 
-    Cases run on all cores, and by one program of the whole mechanism where it pays, in which `names` are left free: many
-    times of a case at once, in the lanes of SIMD registers. A few rows are run by plain steps, whose last digits are
-    others; `lanes=False` gives every case the same digits however the rows are parted among machines.
+    `keep` lists the results for each motion: "rocker.theta max", or ("rocker.theta", "max"). For a measure or
+    coordinate the results are `max`, `min`, `range`, `first`, `last`, and the largest absolute derivatives `max_rate`
+    and `max_second_rate`. For a column of forces, such as `motor` or `A on crank.F_x`, the results are the first five.
+    The results use only the given times. For extremes between the times use `system.extremes(motion, …)` or the command
+    `kin sweep`. `keep` does not accept a function of a motion.
+
+    Cases run on all cores. If it saves time, one program of the whole mechanism computes many times of a case at once,
+    in the lanes of SIMD registers. The step-by-step solver computes a small number of rows, and its last digits differ.
+    With `lanes=False` the digits of a case do not depend on the distribution of the rows among machines.
     """
     wanted = [_kept(one) for one in keep]
     rows = np.asarray(cases, dtype=float)
@@ -118,11 +123,12 @@ def _kept(one: Kept) -> tuple[str, str]:
 @short
 @dataclass(frozen=True)
 class Batch:
-    """One pure function for any engine: a table of cases in, the table with results and a status added out.
+    """A pure function for any engine: the input is a table of cases, the output is the table with results and a status.
 
-    It pickles with its mechanism, so that Ray, Dask, Spark or a pool of processes can send it; every case gets the same
-    digits however the rows are parted. A table is a mapping of columns (`batch(dict)`), a pandas DataFrame (`pandas`) or a
-    batch of Arrow (`arrow`); columns that are no parameters pass through.
+    The function and its mechanism can be pickled, so that Ray, Dask, Spark or a pool of processes can send them. The
+    digits of a case do not depend on the distribution of the rows. A table is a mapping of columns (`batch(dict)`), a
+    pandas DataFrame (`pandas`) or a batch of Arrow (`arrow`). The output contains columns that are not parameters
+    without change.
     """
 
     system: System
@@ -142,12 +148,15 @@ class Batch:
         threads: Optional[int] = 1,
         **options: Any,
     ) -> "Batch":
-        """The function for these parameters, times and results; on so many threads, `None` for one a core."""
+        """Creates the function for these parameters, times and results.
+
+        `None` threads means one thread for each core.
+        """
         instants = tuple(float(t) for t in times)
         return Batch(system, tuple(names), instants, tuple(keep), threads, options)
 
     def rows(self, cases: Any) -> Rows:
-        """Rows of numbers in the order of `names`."""
+        """Evaluates rows of numbers in the order of `names`."""
         return sweep(
             self.system,
             self.names,
@@ -160,20 +169,22 @@ class Batch:
         )
 
     def __call__(self, table: Mapping[str, Any]) -> dict[str, Any]:
-        """A mapping of columns: `ray.data.Dataset.map_batches(batch)`."""
+        """Evaluates a mapping of columns, as in `ray.data.Dataset.map_batches(batch)`."""
         columns = [np.asarray(table[name], dtype=float) for name in self.names]
         found = self.rows(np.stack(columns, axis=1))
         return {**{name: table[name] for name in table}, **found.columns()}
 
     def pandas(self, frame: Any) -> Any:
-        """A pandas DataFrame: `dask.dataframe.DataFrame.map_partitions(batch.pandas)`."""
+        """Evaluates a pandas DataFrame, as in `dask.dataframe.DataFrame.map_partitions(batch.pandas)`."""
         columns = [frame[name].to_numpy(dtype=float) for name in self.names]
         found = self.rows(np.stack(columns, axis=1).reshape(-1, len(self.names))).columns()
         found["status"] = found["status"].astype(str)
         return frame.assign(**{name: values for name, values in found.items()})
 
     def arrow(self, batch: Any) -> Any:
-        """A batch or table of Arrow: with Spark `frame.mapInArrow(lambda batches: map(batch.arrow, batches), schema)`."""
+        """Evaluates a batch or table of Arrow, as in Spark's `frame.mapInArrow(lambda batches: map(batch.arrow,
+        batches), schema)`.
+        """
         import pyarrow
 
         columns = [batch.column(batch.schema.get_field_index(name)).to_numpy(zero_copy_only=False) for name in self.names]

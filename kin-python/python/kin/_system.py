@@ -1,4 +1,4 @@
-"""A mechanism made ready for solving."""
+"""Defines systems: mechanisms that are ready to be solved."""
 
 from __future__ import annotations
 
@@ -26,8 +26,10 @@ Measure = Union[str, Coordinate, Callable[[Motion], Quantity]]
 
 
 class System:
-    """A system C(q, t) = 0 ready to be solved; built by `m.build()`. Runs give up Python's lock, so threads run side by
-    side; Ctrl-C ends one."""
+    """A system C(q, t) = 0 that is ready to be solved, from `m.build()`.
+
+    A run releases Python's global lock, so several threads can run at the same time. Ctrl-C ends a run.
+    """
 
     def __init__(self, native: "_native.System", mechanism: str, token: str) -> None:
         self._native, self._mechanism, self._token = native, mechanism, token
@@ -37,47 +39,50 @@ class System:
 
     @property
     def name(self) -> str:
-        """Name of the mechanism."""
+        """The name of the mechanism."""
         return self._native.name()
 
     @property
     def names(self) -> list[str]:
-        """Names of the coordinates in their order, such as `crank.theta`."""
+        """The names of the coordinates in order, such as `crank.theta`."""
         return self._native.names()
 
     @property
     def units(self) -> list[str]:
-        """Units of the coordinates."""
+        """The units of the coordinates."""
         return self._native.units()
 
     @property
     def equations(self) -> list[str]:
-        """Names of the equations in their order, such as `A.x`."""
+        """The names of the equations in order, such as `A.x`."""
         return self._native.equations()
 
     @property
     def constraints(self) -> list[str]:
-        """Names of the constraints in their order; those that hold Euler parameters to one come last."""
+        """The names of the constraints in order.
+
+        The norm constraints of Euler parameters come last.
+        """
         return self._native.parts()[0]
 
     @property
     def loads(self) -> list[str]:
-        """Names of the loads in their order."""
+        """The names of the loads in order."""
         return self._native.parts()[1]
 
     @property
     def bodies(self) -> list[str]:
-        """Names of the bodies and bare coordinates in their order."""
+        """The names of the bodies and scalar coordinates in order."""
         return self._native.parts()[2]
 
     @property
     def initial(self) -> Any:
-        """The guess of q."""
+        """The guess of q. [m, rad]"""
         return array(self._native.initial())
 
     @property
     def dimensions(self) -> dict[str, float]:
-        """The values of the dimensions by name; expressions that were given a name are among them."""
+        """The values of the dimensions by name, including named expressions."""
         return dict(self._native.dimensions())
 
     @property
@@ -86,37 +91,43 @@ class System:
         return dict(self._native.parameters())
 
     def parameter(self, name: str) -> float:
-        """The value of one parameter, such as `slot.k`, or of a dimension."""
+        """Returns the value of one parameter, such as `slot.k`, or of a dimension."""
         return self._native.parameter(name)
 
     def set(self, name: str, value: float) -> None:
-        """Sets one dimension and all that hangs on it, or one parameter, without a rebuild. A parameter that hangs on
-        dimensions keeps the value that it is given until one of these is set.
+        """Sets one dimension and all numbers that depend on it, or one parameter, without a rebuild.
 
-        Raises an error by name: nothing of that name, not finite, beyond the range of the dimension, an expression of others,
-        what makes no sense; the old value stays.
+        You can also set a parameter that depends on dimensions. Such a parameter keeps its value until you set one of
+        the dimensions.
+
+        Raises an error if no parameter or dimension has the name, if the value is not finite, outside the range of the
+        dimension or invalid, or if the name is an expression of dimensions. After an error the old value remains.
         """
         if isinstance(value, str):
             raise TypeError(f"`{name}` needs a number, not {value!r}")
         self._native.set(name, value)
 
     def set_initial(self, q: Any) -> None:
-        """Another guess for all coordinates."""
+        """Sets the guess of all coordinates. [m, rad]"""
         self._native.set_initial(as_bytes(q))
 
     # Solving.
 
     def run(self, times: Any, *, progress: Progress = None, **options: Any) -> Motion:
-        """Position, velocity and acceleration at each of the times, which only increase or only decrease.   [s]
+        """Solves for position, velocity and acceleration at each of the times, which must only increase or only
+        decrease. [s]
 
-        Options: `tolerance`, `jerk`, `engine` ("auto", "step-by-step" or "compiled"), `follow` ("smooth" or "unchecked"), `other_branch_at`
-        (numbers of change points), `allowed_misfit`, `max_iterations`, `predict`, `rescue`, `halvings`, `memory`,
-        `effort`, `residual_only`. `progress` is called with the times that are done and all of them; True shows a bar of tqdm.
+        Options: `tolerance`, `jerk`, `engine` ("auto", "step-by-step" or "compiled"), `follow` ("smooth" or
+        "unchecked"), `other_branch_at` (indices of change points), `allowed_misfit`, `max_iterations`, `predict`,
+        `rescue`, `halvings`, `memory`, `effort`, `residual_only`. Kin calls `progress` with the number of computed
+        times and the number of all times; True shows a bar of tqdm.
 
-        Warns (`kin.MotionWarning`) of usual slips: numbers that look like degrees, a first position far from the drawn one, a start near
-        a singular position, a table that ends before the run. `motion.warnings` lists them too.
+        Warns (`kin.MotionWarning`) of common mistakes: numbers that look like degrees, a first position far from the
+        drawn position, a start near a singular position, a table that ends before the run. `motion.warnings` lists the
+        warnings too.
 
-        Raises `kin.Error`; its `.motion` is what was computed before, and is warned of as well.
+        Raises `kin.Error`. The attribute `motion` of the error is the motion before the failure; Kin also warns of
+        mistakes in this motion.
         """
         try:
             motion = self._run(times, progress=progress, **options)
@@ -135,120 +146,142 @@ class System:
             return Motion(self._native.run(as_bytes(times), options or None, told))
 
     def position(self, t: float, q: Any = None, **options: Any) -> Solution:
-        """Position, velocity and acceleration at one time, assembled from the guess; from q, where it is given: after `compile()` by the
-        program, if q is near, which is what a loop of a controller wants."""
+        """Solves for position, velocity and acceleration at one time, from the guess or from q.
+
+        After `compile()` the compiled program finds positions near q, which makes a controller loop faster.
+        """
         told = self._native.position(t, None if q is None else as_bytes(q), options or None)
         at, q, qd, qdd, iterations, residual, worst, compiled = told
         return Solution(at, array(q), array(qd), array(qdd), iterations, residual, worst, compiled)
 
     def residual(self, q: Any, t: float) -> Any:
-        """C(q, t)"""
+        """Returns C(q, t), in the unit of each row."""
         return array(self._native.at_position(0, as_bytes(q), t))
 
     def jacobian(self, q: Any, t: float) -> Any:
-        """C_q at q and t, a row an equation, a column a coordinate."""
+        """Returns C_q at q and t: a row for each equation, a column for each coordinate."""
         return array(self._native.jacobian(as_bytes(q), t), len(self.names))
 
     def c_t(self, q: Any, t: float) -> Any:
-        """C_t at q and t"""
+        """Returns C_t at q and t."""
         return array(self._native.at_position(1, as_bytes(q), t))
 
     def acceleration_rhs(self, q: Any, qd: Any, t: float) -> Any:
-        """Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt"""
+        """Returns Q_d = −(C_q q̇)_q q̇ − 2 C_qt q̇ − C_tt."""
         return array(self._native.at_velocity(0, as_bytes(q), as_bytes(qd), t))
 
     def velocity(self, q: Any, t: float) -> Any:
-        """q̇ of C_q q̇ = −C_t"""
+        """Returns q̇ from C_q q̇ = −C_t."""
         return array(self._native.at_position(2, as_bytes(q), t))
 
     def acceleration(self, q: Any, qd: Any, t: float) -> Any:
-        """q̈ of C_q q̈ = Q_d"""
+        """Returns q̈ from C_q q̈ = Q_d."""
         return array(self._native.at_velocity(1, as_bytes(q), as_bytes(qd), t))
 
     def jerk_rhs(self, q: Any, qd: Any, qdd: Any, t: float) -> Any:
-        """−g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), the right side of C_q q⃛"""
+        """Returns −g‴(0) with g(s) = C(q + s q̇ + ½ s² q̈, t + s), the right side of C_q q⃛."""
         return array(self._native.at_acceleration(0, (flat(q), flat(qd), flat(qdd)), t))
 
     def jerk(self, q: Any, qd: Any, qdd: Any, t: float) -> Any:
-        """q⃛ of C_q q⃛ = −g‴(0)"""
+        """Returns q⃛ from C_q q⃛ = −g‴(0)."""
         return array(self._native.at_acceleration(1, (flat(q), flat(qd), flat(qdd)), t))
 
     # What is asked of it.
 
     def diagnose(self, t: float, q: Any = None) -> Diagnosis:
-        """Counts, rank, dependencies and freedoms by name."""
+        """Diagnoses the mechanism: counts, rank, dependencies and freedoms by name."""
         return Diagnosis(*self._native.diagnose(t, None if q is None else as_bytes(q)))
 
     def assemblies(self, t: float, **options: Any) -> Assemblies:
-        """All assemblies that are found at a time, a list in the order of their labels, which says whether it is `complete` and for
-        what `reason`. Poses with a hinge turned over, its axes opposed, are left out.
+        """Returns a list of all assemblies that Kin finds at a time, in the order of their labels. [s]
 
-        Options: `starts` at most for equations that must be solved together (20000; fewer for more than seven), `patience` (60: it goes
-        on for so many starts that lead to nothing new at least, and ten more for each solution that is known), `steps` of Newton's
-        method from one start (60), `seed` (0), `time_limit`.   [s]
+        `complete` says whether the list is complete, and `reason` gives the reason. The list omits poses in which the
+        two axes of a hinge have opposite directions.
+
+        Options: `starts` is the largest number of starts for equations that must be solved together (20 000; fewer for
+        more than seven equations). `patience` is the number of consecutive starts without a new solution after which
+        the search may end (60; ten more for each known solution). `steps` is the largest number of Newton steps from
+        one start (60). `seed` (0) and `time_limit` are the other options.
         """
         found, complete, reason = self._native.assemblies(t, options)
         return Assemblies([Assembly(label, array(q)) for label, q in found], complete, reason)
 
     def assembly(self, t: float, label: str, **options: Any) -> Assembly:
-        """The assembly of a label that `assemblies` gave out, with the same options. Raises `kin.UnknownName`."""
+        """Returns the assembly with a label from `assemblies`, which needs the same options.
+
+        Raises `kin.UnknownName`.
+        """
         return Assembly(label, array(self._native.assembly(t, label, options)))
 
     def assembly_near(self, t: float, what: What, value: float) -> Assembly:
-        """The assembly with a measure nearest to a value."""
+        """Returns the assembly in which a measure is nearest to a value."""
         label, q = self._native.assembly_near(t, self._what(what), value)
         return Assembly(label, array(q))
 
     @property
     def measures(self) -> list[str]:
-        """What `measure` can be asked for of joints, such as `slot.slide`."""
+        """The names of the measures of joints for `measure`, such as `slot.slide`."""
         return self._native.measures()
 
     @property
     def has_forces(self) -> bool:
-        """True where something has mass or something acts, so that it can be asked for forces."""
+        """True if the mechanism has a mass or a load, so that `forces` has a result."""
         return self._native.has_forces()
 
     def measure(self, motion: Motion, what: Measure) -> Quantity:
-        """A measure over a motion, with its rates: of a joint or a coordinate, or a function of the motion, such as
-        `lambda motion: motion.point(rod, (0.1, 0)).along((1, 0))`."""
+        """Returns a measure over a motion, with its derivatives.
+
+        The measure is a measure of a joint, a coordinate, or a function of the motion, such as `lambda motion:
+        motion.point(rod, (0.1, 0)).along((1, 0))`.
+        """
         return Quantity._of(self._native.measure(motion._native, self._measured(what)), motion.times)
 
     def extremes(self, motion: Motion, what: Measure) -> Extremes:
-        """Where a measure turns round: dead centres, stroke, time ratio. A measure that is a function of a motion is called
-        for motions of one time too."""
+        """Returns the extremes of a measure over a motion: dead centres, stroke, time ratio.
+
+        If the measure is a function of a motion, Kin also calls the function with motions of one time.
+        """
         found = self._native.extremes(motion._native, self._measured(what))
         name, unit, turns, stroke, ratio, least, most = found
         ends = Extreme(*least, is_max=False), Extreme(*most)
         return Extremes(name, unit, [Extreme(*one) for one in turns], stroke, ratio, *ends)
 
     def crossings(self, motion: Motion, what: Measure, value: float) -> list[tuple[float, bool]]:
-        """When a measure passes a value, and whether it rises there."""
+        """Returns the times at which a measure passes a value, and the directions."""
         return self._native.crossings(motion._native, self._measured(what), value)
 
     def at(self, motion: Motion, t: float) -> Motion:
-        """One pose, at any time of the motion: a motion of one time."""
+        """Returns the pose at any time of the motion, as a motion with one time."""
         return Motion(self._native.at(motion._native, t))
 
     def condition(self, motion: Motion) -> Quantity:
-        """The condition number of C_q at each time, rows and columns in their sizes; infinite where it is singular.   [-]"""
+        """Returns the condition number of C_q at each time, with scaled rows and columns. [-]
+
+        The number is infinite if C_q is singular.
+        """
         return Quantity._of(self._native.condition(motion._native), motion.times)
 
     def smallest_singular_value(self, motion: Motion) -> Quantity:
-        """How near the motion comes to a singular position."""
+        """Returns the smallest singular value of C_q at each time, which shows how close the motion is to a singular
+        position.
+        """
         return Quantity._of(self._native.smallest_singular_value(motion._native), motion.times)
 
     def mechanical_advantage(self, motion: Motion, drive: str, output: What) -> Quantity:
-        """The force (or torque) along an output for a unit of a drive's effort at each time, by virtual power, all other drives
-        standing still; infinite at a dead centre of the output. Without masses, loads and friction.   [-, 1/m, m]
+        """Returns the mechanical advantage of an output over a driver at each time. [-, 1/m, m]
 
-        Raises an error by name: a name that no driver has, a driver of several rows, a singular position.
+        The mechanical advantage is the force or torque along the output for a unit of the driver's effort, by virtual
+        power with all other drivers at rest. At a dead centre of the output it is infinite. Kin ignores masses, loads
+        and friction.
+
+        Raises an error if no driver has the name, if the driver has several rows, or if the motion has a singular
+        position.
         """
         found = self._native.mechanical_advantage(motion._native, drive, self._what(output))
         return Quantity._of(found, motion.times)
 
     def prove(self, motion: Motion) -> Proof:
-        """By interval bounds: that exactly one continuous motion leads through the computed positions."""
+        """Proves by interval bounds that exactly one continuous motion leads through the computed positions."""
         return Proof._of(self._native.prove(motion._native))
 
     def page(
@@ -283,7 +316,7 @@ class System:
         return title, unit, [(name, [float(x) for x in one.value]) for name, one in found.items()]
 
     def picture(self, motion: Motion, t: Optional[float] = None, *, poses: int = 12) -> Picture:
-        """The mechanism at a time of the motion, or some poses of it on one another, as SVG."""
+        """Returns an SVG picture of the mechanism at a time of the motion, or of several poses in one picture."""
         return Picture(self._native.picture(motion._native, t, poses))
 
     def follower(self, t: float = 0.0, **options: Any) -> Follower:
@@ -295,41 +328,53 @@ class System:
         return Follower(self._native.follower(t, options or None), self._native)
 
     def compile(self) -> Compiled:
-        """What its rows give and what is left to Newton's method, as one program; or an error that names why not."""
+        """Compiles the system to one program and returns its description.
+
+        Raises an error with the reason if Kin cannot compile the system.
+        """
         return Compiled(*self._native.compile())
 
     def sensitivities(self, motion: Motion, names: Iterable[str]) -> Sensitivities:
-        """The derivatives of a motion by parameters and dimensions, exact: `.of(what)` those of a measure and its rates at each time,
-        `.all()` those of all coordinates, `.extreme(what, …)` those of time and value of an extreme.
+        """Returns the exact derivatives of a motion by parameters and dimensions.
 
-        Raises an error by name: a name that is no parameter or on which nothing depends, a law whose derivative is not known, a
-        motion with a singular position, a motion of another system.
+        `.of(what)` returns the derivatives of a measure and its time derivatives at each time, `.all()` those of all
+        coordinates, and `.extreme(what, …)` those of the time and value of an extreme.
+
+        Raises an error if no parameter has the name, if no equation depends on the parameter, if the derivative of a
+        law is unknown, if the motion has a singular position, or if the motion belongs to another system.
         """
         return Sensitivities(self._native, motion, list(names), self._measured)
 
     def toggle_by(self, toggle: dict[str, Any], names: Iterable[str]) -> dict[str, float]:
-        """How the time of a toggle changes with parameters and dimensions: dt*/dp = −λᵀ C_p / λᵀ C_t, where λᵀ C_q = 0. The toggle is
-        the last of `error.motion.singular_positions` of a run that has ended there.   [s a unit of p]
+        """Returns the derivatives of the time of a toggle by parameters and dimensions. [s per unit of p]
 
-        Raises an error by name: a change point, a redundant mechanism, several parts that are singular at once.
+        The derivative is dt*/dp = −λᵀ C_p / λᵀ C_t, where λᵀ C_q = 0. The toggle is the last of
+        `error.motion.singular_positions` of a run that ended at the toggle.
+
+        Raises an error for a change point, for a redundant mechanism, and for several parts that are singular at the
+        same time.
         """
         order = list(names)
         return dict(zip(order, _native.toggle_by(self._native, json.dumps(toggle), order)))
 
     def tolerance(self, motion: Motion, what: Measure, of: Optional[Of] = None) -> Tolerance:
-        """How far a measure of a motion may be off by the tolerances of dimensions: at the time at which that is worst, or of one
-        number that it has: its value at a time, an extreme of `system.extremes`, wherever in time that moves, "max", "min" or
-        "stroke".
+        """Computes the deviation of a measure of a motion for dimensions with tolerances.
 
-        Raises `kin.DimensionError` where no dimension has a tolerance.
+        The result is for the worst time, or for one feature: the value at a time, an extreme of `system.extremes`,
+        "max", "min" or "stroke". The time of an extreme may change with the dimensions.
+
+        Raises `kin.DimensionError` if no dimension has a tolerance.
         """
         found = _native.tolerance(self._native, motion._native, self._measured(what), _of(of), False)
         return Tolerance._of(found)
 
     def tolerance_proved(self, motion: Motion, what: Measure, of: Of) -> Tolerance:
-        """The same with bounds, by interval arithmetic, that hold for every mechanism within the tolerances (`.proved`).
+        """Computes the deviation of one feature with bounds by interval arithmetic (`.proved`).
 
-        Raises `kin.CannotBeProved` where some of these may not be assembled, and of what no bounds are known.
+        The bounds are valid for every mechanism within the tolerances.
+
+        Raises `kin.CannotBeProved` if Kin cannot prove that each of these mechanisms can be assembled, or if a function
+        has no known bounds.
         """
         if of is None:
             raise TypeError('`of` says what is proved: a time, an extreme, "max", "min" or "stroke"')
@@ -346,8 +391,11 @@ class System:
         seed: int = 1,
         distribution: str = "normal",
     ) -> Samples:
-        """The same number in many mechanisms whose dimensions are off at random, each by its own distribution, else by this one:
-        "normal", "truncated normal" or "uniform". The same seed gives the same samples, on every machine."""
+        """Computes a feature of a measure in many mechanisms with random deviations of their dimensions.
+
+        Each dimension has its distribution; a dimension without one has the given distribution: "normal", "truncated
+        normal" or "uniform". The same seed gives the same samples on every machine.
+        """
         found = _native.samples(
             self._native, motion._native, self._measured(what), _of(of), count, seed, distribution
         )
@@ -357,19 +405,25 @@ class System:
     def forces(
         self, motion: Motion, sharing: Union[str, Iterable[str], None] = None, *, engine: str = "auto"
     ) -> Forces:
-        """The forces of a motion of this system: masses are given by `m.mass` or `m.solid`, weight by `m.gravity`. Of redundant
-        constraints `sharing` says how they share what no balance decides: "least norm", or the names of equations that hold
-        nothing; without it no number is given for what is not unique. `engine` is "step-by-step", "compiled", by one
-        program over several times at once, or "auto", by that where it pays; their numbers differ in the last digits.
+        """Computes the forces of a motion of this system.
 
-        Raises an error by name: nothing has mass and nothing acts, a motion of another system, a singular position; with
-        "compiled" also what stands in the way of a program.
+        `m.mass` and `m.solid` set masses, and `m.gravity` sets the acceleration of gravity. `sharing` sets how
+        redundant constraints share forces: "least norm", or the names of equations that carry no force. Without
+        `sharing` Kin returns no number for a force that is not unique. `engine` is "step-by-step", "compiled" (one
+        program computes several times at once) or "auto" (the program, if it saves time). The results of both engines
+        differ in the last digits.
+
+        Raises an error if the mechanism has no mass and no load, if the motion belongs to another system, or if it has
+        a singular position; with "compiled" also if Kin cannot compile a program.
         """
         return Forces(self._native, motion, self._token, self.name, sharing, engine)
 
     def gradient(self, motion: Motion, names: Sequence[str], what: Measure, weights: Any) -> Any:
-        """The derivatives by parameters of one number, whose derivatives by a measure, its rate and its second rate at
-        each time are the rows of `weights`."""
+        """Returns the derivatives of one number by parameters.
+
+        The rows of `weights` are the derivatives of the number by the measure and by its first and second time
+        derivative, at each time.
+        """
         rows = np.zeros((len(motion), 3))
         given = np.asarray(weights, dtype=float)
         rows[:, : 1 if given.ndim == 1 else given.shape[1]] = given.reshape(len(motion), -1)
@@ -384,10 +438,11 @@ class System:
         cost: Callable[[Quantity], tuple[float, Any]],
         **options: Any,
     ) -> Callable[[Any], tuple[float, Any]]:
-        """A function of parameters with its exact gradient, as `scipy.optimize.minimize(…, jac=True)` takes one.
+        """Creates a function of parameters with its exact gradient, for `scipy.optimize.minimize(…, jac=True)`.
 
-        `cost` makes of a measure over the motion the number, and its derivatives by the values of the measure (a row, or
-        three columns with those by its rate and second rate). The function works on a copy of the system.
+        `cost` computes the number from a measure over the motion, and the derivatives of the number by the values of
+        the measure (a row, or three columns with those by its first and second derivative). The function works on a
+        copy of the system.
         """
         system, order = self.__copy__(), list(names)
 
@@ -483,7 +538,7 @@ class _Bar:
 
 
 def as_bytes(numbers: Any) -> bytes:
-    """Numbers of any array, list or iterable, as the native part reads them."""
+    """Converts the numbers of an array, list or iterable for the native module."""
     if type(numbers) is np.ndarray and numbers.dtype == np.float64:
         return numbers.tobytes()
     if isinstance(numbers, (range, map, filter)) or hasattr(numbers, "__next__"):

@@ -1,7 +1,7 @@
-"""The record of one call of a user's function with stand-ins for its arguments, and its text in Kin's language.
+"""Records one call of a user's function with placeholders for its arguments, and writes the record in Kin's language.
 
-Each operation is a node, kept once: its template, the type of its value, the nodes that it is made of. The text names
-what is used twice or is long by `let`.
+Each operation is one node: its template, the type of its value, and the nodes of its operands. The text uses `let` for
+an expression that is long or occurs more than once.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ _MOST = 200_000
 
 
 class Trace:
-    """One function, being traced."""
+    """The trace of one function."""
 
     def __init__(self, name: str) -> None:
         self.name = name
@@ -47,7 +47,7 @@ class Trace:
         self.moving: set[str] = set()
 
     def op(self, template: str, kind: str, *operands: int) -> int:
-        """The node of an operation."""
+        """Returns the node of an operation."""
         key = (template, kind, operands)
         known = self.known.get(key)
         if known is not None:
@@ -64,11 +64,11 @@ class Trace:
         return len(self.templates) - 1
 
     def atom(self, text: str, kind: str) -> int:
-        """The node of a name."""
+        """Returns the node of a name."""
         return self.op(text.replace("{", "{{").replace("}", "}}"), kind)
 
     def number(self, value: Any) -> Optional[int]:
-        """The node of a number, plain or traced; `None` of anything else."""
+        """Returns the node of a number, plain or traced; `None` for any other value."""
         if isinstance(value, Expr):
             if value._trace is not self:
                 _mistakes.at(users_line(), f"a number of another constraint, `{value._trace.name}`, is used here")
@@ -93,14 +93,14 @@ class Trace:
         return f"(-{text})" if math.copysign(1.0, value) < 0.0 else text
 
     def expression(self, value: Any) -> Expr:
-        """A number of this trace."""
+        """Returns a number of this trace."""
         node = self.number(value)
         if node is None:
             _mistakes.at(users_line(), f"{value!r} is no number")
         return Expr(self, node)
 
     def both(self, sign: str, a: Condition, b: Any) -> Condition:
-        """Two conditions as one."""
+        """Combines two conditions to one."""
         if isinstance(b, (bool, np.bool_)):
             return a if bool(b) == (sign == "&&") else Condition(self, self.atom(str(bool(b)).lower(), "bool"))
         if not isinstance(b, Condition):
@@ -108,7 +108,7 @@ class Trace:
         return Condition(self, self.op("{} " + sign + " {}", "bool", a._node, b._node))
 
     def is_moving(self, node: int) -> bool:
-        """True of a node that hangs on bodies, coordinates, rates or time."""
+        """True if a node depends on bodies, coordinates, velocities or time."""
         open_nodes, seen = [node], {node}
         while open_nodes:
             one = open_nodes.pop()
@@ -122,11 +122,11 @@ class Trace:
         return False
 
     def inline(self, node: int) -> str:
-        """A node without names for its parts."""
+        """Writes a node without names for its parts."""
         return _Printer(self, [node], inline=True).argument(node)
 
     def printed(self, results: list[int]) -> "_Printer":
-        """The statements of the function, and its results."""
+        """Returns the statements of the function and its results."""
         return _Printer(self, results)
 
 
@@ -174,7 +174,7 @@ class _Printer:
         return template.format(*parts), 1 + max(self.depths[operand] for operand in operands)
 
     def argument(self, node: int) -> str:
-        """A node where no brackets are needed."""
+        """Returns a node in a place that needs no brackets."""
         return self.texts[node]
 
 

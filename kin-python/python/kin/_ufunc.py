@@ -51,7 +51,7 @@ _WHOLE = {"add", "subtract", "multiply", "divide", "matmul", "vecdot", "negative
 
 
 class Operand:
-    """Anything of Kin that NumPy's functions and operators may meet."""
+    """A value of Kin that NumPy's functions and operators accept."""
 
     __slots__ = ()
     # NumPy's older arrays and matrices leave arithmetic to the operand of the higher priority.
@@ -71,7 +71,7 @@ class Operand:
 
 
 def plain(value: Any) -> Any:
-    """A scalar of NumPy, or an array of no dimension, as the number of Python that it is; anything else as it is."""
+    """Converts a NumPy scalar or an array of no dimension to a Python number; returns any other value unchanged."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
     if isinstance(value, np.bool_):
@@ -82,14 +82,17 @@ def plain(value: Any) -> Any:
 
 
 def real(value: Any) -> float:
-    """The number as a float. Raises TypeError of a complex one, whose imaginary part NumPy would forget."""
+    """Returns the number as a float.
+
+    Raises TypeError for a complex number, because NumPy would drop its imaginary part.
+    """
     if isinstance(value, np.complexfloating) or (isinstance(value, np.ndarray) and value.dtype.kind == "c"):
         raise TypeError(f"a real number is needed, not {value!r}")
     return float(value)
 
 
 def by_operands(forward: str, reflected: str, a: Any, b: Any) -> Any:
-    """An operation by the method of the one operand or of the other; NotImplemented where neither has one."""
+    """Performs an operation by a method of one of its operands; returns NotImplemented if neither has the method."""
     made = NotImplemented
     if isinstance(a, Operand):
         made = getattr(a, forward, lambda _: NotImplemented)(b)
@@ -99,7 +102,7 @@ def by_operands(forward: str, reflected: str, a: Any, b: Any) -> Any:
 
 
 def itemwise(function: Callable[..., Any], *inputs: Any) -> Any:
-    """A function of numbers on arrays of them, item by item as NumPy does; of numbers alone a number."""
+    """Applies a function of numbers to arrays item by item, as NumPy does; for numbers alone it returns a number."""
     if not any(isinstance(one, np.ndarray) for one in inputs):
         return function(*(plain(one) for one in inputs))
 
@@ -112,7 +115,7 @@ def itemwise(function: Callable[..., Any], *inputs: Any) -> Any:
 
 
 def two(name: str, a: Any, b: Any) -> Any:
-    """A function of two numbers by its name in NumPy; arrays of them item by item."""
+    """Applies a function of two numbers by its name in NumPy; arrays item by item."""
     return itemwise(lambda x, y: _two(name, x, y), a, b)
 
 
@@ -170,7 +173,7 @@ def _short(value: Any) -> str:
 
 
 def array_ufunc(ufunc: Any, method: str, inputs: tuple[Any, ...], keywords: dict[str, Any]) -> Any:
-    """A function of NumPy on numbers, vectors, conditions or laws of Kin; with arrays among them item by item."""
+    """Applies a NumPy function to numbers, vectors, conditions or laws of Kin; arrays item by item."""
     name = ufunc.__name__
     out = keywords.pop("out", None)
     if method != "__call__" or any(value is not None for key, value in keywords.items() if key != "dtype"):

@@ -1,4 +1,4 @@
-"""Values of parameters on their way to the native part: any list, tuple or array of the right shape."""
+"""Converts values of parameters for the native module: any list, tuple or array of the right shape."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ NAMES = {"Vec2": ("x", "y"), "Vec3": ("x", "y", "z"), "EulerParameters": ("e0", 
 
 
 def items(value: Any) -> list[Any]:
-    """All numbers of a number, a vector, a list or an array, dimensions among them. Raises TypeError and ValueError as NumPy
-    does."""
+    """Returns all numbers of a number, a vector, a list or an array, including dimensions.
+
+    Raises TypeError and ValueError as NumPy does.
+    """
     if isinstance(value, Dimension):
         return [value]
     if isinstance(value, (str, bytes, bool)) or value is None:
@@ -35,12 +37,12 @@ def items(value: Any) -> list[Any]:
 
 
 def flat(value: Any) -> list[float]:
-    """The same where dimensions are not followed."""
+    """Returns all numbers of a value, without following dimensions."""
     return [float(one) for one in items(value)]
 
 
 def numbers_of(place: str, mechanism: str, own: str, argument: Any, value: Any) -> Any:
-    """A parameter as numbers in order, dimensions as their texts, or a law as JSON."""
+    """Converts a parameter to numbers in order, with dimensions as texts, or to a law as JSON."""
     if argument.kind == "Law":
         return law_of(place, argument.name, value)._json(place, mechanism, own)
     if argument.kind == "Axis":
@@ -59,7 +61,7 @@ def numbers_of(place: str, mechanism: str, own: str, argument: Any, value: Any) 
 
 
 def law_of(place: str, name: str, value: Any) -> Law:
-    """A law; a number is a constant one."""
+    """Returns a law; a number becomes a constant law."""
     if isinstance(value, Law):
         return value
     if isinstance(value, Dimension):
@@ -81,7 +83,7 @@ def law_of(place: str, name: str, value: Any) -> Law:
 
 
 def axis_of(place: str, name: str, value: Any) -> Axis:
-    """An axis; a direction is one with an f of Kin's choice."""
+    """Returns an axis; for a direction Kin chooses f."""
     if isinstance(value, Axis):
         return value
     try:
@@ -91,12 +93,15 @@ def axis_of(place: str, name: str, value: Any) -> Axis:
 
 
 def euler_of(value: Any) -> list[float]:
-    """Four Euler parameters."""
+    """Returns four Euler parameters."""
     return flat(EulerParameters(*value))
 
 
 def finite(place: str, name: str, number: Any) -> Any:
-    """The number, or dimension. Raises `ParameterNotFinite`, in Kin's words."""
+    """Returns the number or dimension.
+
+    Raises `ParameterNotFinite` if the number is infinite or NaN.
+    """
     value = valued(number)
     if math.isfinite(value):
         return number

@@ -1,4 +1,4 @@
-"""Vectors, matrices, Euler parameters: of plain numbers, and the same of numbers that are traced."""
+"""Defines vectors, matrices and Euler parameters of plain or traced numbers."""
 
 from __future__ import annotations
 
@@ -98,7 +98,7 @@ class _Vector(_Components):
 
     @property
     def value(self) -> Any:
-        """The same of plain numbers: each dimension's nominal value, such as of `link.start`."""
+        """The vector of plain numbers, with the nominal value of each dimension, such as for `link.start`."""
         return type(self)(*(valued(one) for one in self))
 
     def _like(self, other: Any) -> Any:
@@ -178,7 +178,7 @@ class _Vector(_Components):
         return second, self._trace or second._trace
 
     def dot(self, other: Any) -> Scalar:
-        """a · b"""
+        """Returns the dot product a · b."""
         second, trace = self._asked("dot", other)
         if trace is None:
             found: Scalar = sum((a * b for a, b in zip(self, second)), 0.0)
@@ -186,11 +186,11 @@ class _Vector(_Components):
         return Expr(trace, trace.op("{}.dot({:a})", "f64", self._in(trace), second._in(trace)))
 
     def norm_squared(self) -> Scalar:
-        """|a|²"""
+        """Returns the squared length |a|²."""
         return self.dot(self)
 
     def norm(self) -> Scalar:
-        """|a|"""
+        """Returns the length |a|."""
         if self._trace is None:
             if any(isinstance(one, Number) for one in self):
                 return functions.sqrt(self.dot(self))
@@ -198,22 +198,22 @@ class _Vector(_Components):
         return Expr(self._trace, self._trace.op("{}.norm()", "f64", self._in(self._trace)))
 
     def normalize(self) -> Any:
-        """a/|a|"""
+        """Returns the unit vector a/|a|."""
         return self / self.norm()
 
     def component_mul(self, other: Any) -> Any:
-        """(a_x b_x, a_y b_y, …)"""
+        """Returns the vector of the products (a_x b_x, a_y b_y, …)."""
         second, _ = self._asked("component_mul", other)
         return type(self)(*(a * b for a, b in zip(self, second)))
 
     def lerp(self, other: Any, s: Scalar) -> Any:
-        """a + s (b − a)"""
+        """Returns the linear interpolation a + s (b − a)."""
         second, _ = self._asked("lerp", other)
         return self + (second - self) * s
 
 
 class Vec2(_Vector):
-    """A vector of the plane, (x, y): of plain numbers, or traced in a function under `@kin.constraint`."""
+    """A vector of the plane, (x, y), of plain numbers, or of traced numbers in a function under `@kin.constraint`."""
 
     __slots__ = ()
     _NAMES = ("x", "y")
@@ -228,14 +228,14 @@ class Vec2(_Vector):
         return self._components()[1]
 
     def perp(self) -> "Vec2":
-        """(−y, x): turned by 90° counter-clockwise."""
+        """Returns (−y, x): the vector rotated by 90° counter-clockwise."""
         if self._trace is None:
             return Vec2(-self.y, self.x)
         made: Vec2 = Vec2._of(self._trace, self._trace.op("{}.perp()", "Vec2", self._in(self._trace)))
         return made
 
     def cross(self, other: Any) -> Scalar:
-        """a_x b_y − a_y b_x"""
+        """Returns a_x b_y − a_y b_x, the z-component of the cross product."""
         second, trace = self._asked("cross", other)
         if trace is None:
             return self.x * second.y - self.y * second.x  # type: ignore[no-any-return]
@@ -243,7 +243,7 @@ class Vec2(_Vector):
 
 
 class Vec3(_Vector):
-    """A vector of space, (x, y, z): of plain numbers, or traced in a function under `@kin.constraint`."""
+    """A vector of space, (x, y, z), of plain numbers, or of traced numbers in a function under `@kin.constraint`."""
 
     __slots__ = ()
     _NAMES = ("x", "y", "z")
@@ -262,7 +262,7 @@ class Vec3(_Vector):
         return self._components()[2]
 
     def cross(self, other: Any) -> "Vec3":
-        """a × b"""
+        """Returns the cross product a × b."""
         b, trace = self._asked("cross", other)
         if trace is None:
             return Vec3(self.y * b.z - self.z * b.y, self.z * b.x - self.x * b.z, self.x * b.y - self.y * b.x)
@@ -270,7 +270,7 @@ class Vec3(_Vector):
         return made
 
     def axis(self) -> "Axis":
-        """The axis along it, with an f of Kin's choice."""
+        """Returns the axis along the vector, with an f that Kin chooses."""
         if self._trace is not None:
             _mistakes.at(users_line(), "an axis of traced numbers: give the constraint an argument of the type Axis")
         return Axis.along(self)
@@ -304,27 +304,27 @@ class EulerParameters(_Components):
 
     @staticmethod
     def from_axis_angle(axis: Any, angle: float) -> "EulerParameters":
-        """(cos φ/2, n sin φ/2) of a turn by φ about an axis.   [rad]"""
+        """Returns (cos φ/2, n sin φ/2) of a rotation by φ about an axis. [rad]"""
         return EulerParameters(*_native.euler_turned([float(one) for one in axis], float(angle)))
 
     def vector(self) -> Vec3:
-        """(e1, e2, e3)"""
+        """The vector part (e1, e2, e3)."""
         return Vec3(self.e1, self.e2, self.e3)
 
     def conjugate(self) -> "EulerParameters":
-        """(e0, −e1, −e2, −e3)"""
+        """Returns (e0, −e1, −e2, −e3), the inverse rotation."""
         return EulerParameters(self.e0, -self.e1, -self.e2, -self.e3)
 
     def dot(self, other: "EulerParameters") -> Scalar:
-        """The sum of the products of the components."""
+        """Returns the sum of the products of the components."""
         return sum((a * b for a, b in zip(self, other)), 0)
 
     def norm_squared(self) -> Scalar:
-        """|p|²"""
+        """Returns the squared norm |p|²."""
         return self.dot(self)
 
     def product(self, q: "EulerParameters") -> "EulerParameters":
-        """The turn q, and then this one: the product of quaternions."""
+        """Returns the quaternion product p q: the rotation q, followed by this rotation p."""
         a, b = self, q
         return EulerParameters(
             a.e0 * b.e0 - a.e1 * b.e1 - a.e2 * b.e2 - a.e3 * b.e3,
@@ -334,7 +334,7 @@ class EulerParameters(_Components):
         )
 
     def rotation(self) -> "Mat3":
-        """A of these Euler parameters, as (2 e0² − 1) I + 2 (e eᵀ + e0 ẽ) has it."""
+        """Returns the rotation matrix A = (2 e0² − 1) I + 2 (e eᵀ + e0 ẽ) of these Euler parameters."""
         if self._trace is not None:
             made: Mat3 = Mat3._of(self._trace, self._trace.op("{}.rotation()", "Mat3", self._in(self._trace)))
             return made
@@ -386,27 +386,27 @@ class _Matrix(_Components):
         return [vector(*parts[n * k : n * k + n]) for k in range(n)]
 
     def row(self, k: int) -> Any:
-        """Row k."""
+        """Returns row k as a vector."""
         return self.rows()[k]
 
     def column(self, k: int) -> Any:
-        """Column k."""
+        """Returns column k as a vector."""
         return self.transpose().rows()[k]
 
     def transpose(self) -> Any:
-        """Aᵀ"""
+        """Returns the transpose Aᵀ."""
         n, parts = self._N, self._components()
         return type(self)(*(parts[n * (k % n) + k // n] for k in range(n * n)))
 
     T = property(transpose)
 
     def trace(self) -> Scalar:
-        """The sum of the diagonal."""
+        """Returns the sum of the diagonal."""
         parts = self._components()
         return sum((parts[k * (self._N + 1)] for k in range(self._N)), 0)
 
     def determinant(self) -> Scalar:
-        """The determinant."""
+        """Returns the determinant."""
         rows = self.rows()
         found: Scalar = rows[0].cross(rows[1]) if self._N == 2 else rows[0].dot(rows[1].cross(rows[2]))
         return found
@@ -431,11 +431,10 @@ class Mat3(_Matrix):
 
 
 class Axis:
-    """A direction of a spatial body with two others across it: unit vectors h, f and g = h × f, f being where angles
-    about h count from.   [–]
+    """A direction of a spatial body with two perpendicular directions: unit vectors h, f and g = h × f. [–]
 
-    `Axis(h, f)` takes h from a direction or from another axis; of f only what is across h counts. Without f an axis keeps its
-    own one, and a direction gets one of Kin's choice.
+    Angles about h are zero at f. `Axis(h, f)` uses the direction h, or the direction of another axis, and the part of f
+    perpendicular to h. Without f, an axis keeps its f, and Kin chooses f for a direction.
     """
 
     __slots__ = ("h", "f", "g")
@@ -454,7 +453,7 @@ class Axis:
 
     @staticmethod
     def along(h: Any) -> "Axis":
-        """The axis along `h`, with an f of Kin's choice."""
+        """Returns the axis along `h`, with an f that Kin chooses."""
         return Axis(h)
 
     @classmethod
@@ -487,14 +486,14 @@ VectorLike = Union[Sequence[NumberLike], Vec2, Vec3, "np.ndarray[Any, Any]"]
 
 
 def vec2(x: Union[Scalar, NumberLike], y: Union[Scalar, NumberLike]) -> Vec2:
-    """The vector (x, y)."""
+    """Returns the vector (x, y)."""
     return Vec2(x, y)
 
 
 def vec3(
     x: Union[Scalar, NumberLike], y: Union[Scalar, NumberLike], z: Union[Scalar, NumberLike]
 ) -> Vec3:
-    """The vector (x, y, z)."""
+    """Returns the vector (x, y, z)."""
     return Vec3(x, y, z)
 
 

@@ -1,4 +1,4 @@
-//! Arrows of forces on tracks, and how long a force is drawn.
+//! Draws arrows of forces on tracks, and chooses the scale of the arrows.
 
 use kin::{Motion, Vec3};
 
@@ -12,7 +12,7 @@ pub(crate) struct Push {
     pub is_torque: bool,
     pub track: usize,
     pub local: Vec3,
-    /// Its components, one a time.
+    /// The components of the force, a vector for each time.
     pub vectors: Vec<Vec3>,
 }
 

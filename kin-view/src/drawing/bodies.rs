@@ -1,4 +1,5 @@
-//! Shapes of bodies: told ones, else from the points where they are held.
+//! Determines the shapes of bodies: the shapes that the user gave, or shapes from the points at
+//! which constraints hold the bodies.
 
 use std::f64::consts::TAU;
 

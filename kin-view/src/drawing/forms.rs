@@ -1,4 +1,4 @@
-//! Wheels, belts, racks, cams and what runs on them, as shapes on tracks.
+//! Draws wheels, belts, racks, cams and their followers, as shapes on tracks.
 
 use std::f64::consts::{PI, TAU};
 

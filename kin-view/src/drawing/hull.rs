@@ -1,4 +1,4 @@
-//! Outlines of bodies from the points where they are held.
+//! Computes outlines of bodies from the points at which constraints hold the bodies.
 
 use kin::{Vec2, Vec3, vec2};
 

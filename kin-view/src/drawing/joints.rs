@@ -1,4 +1,4 @@
-//! Looks of joints, from how their points move: pins, slots, rods.
+//! Determines the symbols of joints (pins, slots, rods) from the motion of their points.
 
 use kin::{Vec2, Vec3, vec2};
 
@@ -7,7 +7,7 @@ use crate::scene::Form;
 
 /// A joint by its points, on tracks.
 pub(crate) struct Held {
-    /// Its bodies, as tracks.
+    /// The bodies of the constraint, as tracks.
     pub tracks: Vec<usize>,
     /// Points as (track, local point).
     pub points: Vec<(usize, Vec3)>,
@@ -58,38 +58,38 @@ impl Samples {
         }
     }
 
-    /// How many samples there are.
+    /// Returns the number of samples.
     pub fn len(&self) -> usize {
         self.frames.first().map_or(0, Vec::len)
     }
 
-    /// Where a track stands at one of the samples.
+    /// Returns the frame of a track at a sample.
     pub fn frame(&self, track: usize, k: usize) -> Option<Frame> {
         self.frames[track].get(k).copied()
     }
 
-    /// Where a point stands, over the samples.
+    /// Returns the positions of a point at all samples.
     pub fn path(&self, (track, local): (usize, Vec3)) -> impl Iterator<Item = Vec3> + '_ {
         self.frames[track].iter().map(move |frame| frame.point(local))
     }
 
-    /// True if two points are always at one place.
+    /// Returns true if two points coincide at all samples.
     pub fn together(&self, a: (usize, Vec3), b: (usize, Vec3)) -> bool {
         self.path(a).zip(self.path(b)).all(|(a, b)| (a - b).norm() <= 1e-6 * self.size)
     }
 
-    /// The path of a point as the body of a track sees it.
+    /// Returns the path of a point relative to the body of a track.
     pub fn relative(&self, point: (usize, Vec3), track: usize) -> Vec<Vec3> {
         self.path(point).zip(&self.frames[track]).map(|(p, frame)| frame.local(p)).collect()
     }
 
-    /// Where the body of a track sees a point first, in the plane.
+    /// Returns the first position of a point relative to the body of a track, in the plane.
     pub fn seen(&self, point: (usize, Vec3), track: usize) -> Vec2 {
         let first = self.relative(point, track).into_iter().find(|p| p.norm().is_finite());
         first.map_or(vec2(f64::NAN, f64::NAN), |p| vec2(p.x, p.y))
     }
 
-    /// True if a point never moves as the body of a track sees it.
+    /// Returns true if a point never moves relative to the body of a track.
     pub fn stays(&self, point: (usize, Vec3), track: usize) -> bool {
         let path = self.relative(point, track);
         path.iter().all(|p| (*p - path[0]).norm() <= 1e-6 * self.size)
@@ -103,7 +103,7 @@ impl Samples {
         seen.next().is_none_or(|first| seen.all(|h| (h - first).norm() < 1e-6))
     }
 
-    /// How a joint is drawn; `still` says which tracks never move.
+    /// Determines how a joint is drawn; `still` says which tracks never move.
     pub fn drawn(&self, joint: &Held, still: &[bool]) -> Drawn {
         let points = &joint.points;
         let alone = |k: usize| {

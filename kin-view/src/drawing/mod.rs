@@ -1,4 +1,5 @@
-//! Drawing of a scene and a motion: shapes fixed in tracks, lines between them, marks, traces.
+//! Creates the drawing of a scene and a motion: shapes fixed in tracks, lines between tracks,
+//! marks, traces.
 
 mod arrows;
 mod bodies;
@@ -86,7 +87,7 @@ pub(crate) enum LineKind {
 }
 
 impl LineKind {
-    /// How wide it is drawn.   [px]
+    /// Returns the width of the line. [px]
     pub fn width(self) -> f64 {
         if self == LineKind::Barrel { 9.0 } else { 3.5 }
     }
@@ -98,7 +99,7 @@ pub(crate) struct Mark {
     pub track: usize,
     pub local: Vec3,
     pub color: String,
-    /// True for a support, which stands still, whatever body it is of.
+    /// True for a support, which is at rest, independently of its body.
     pub grounded: bool,
 }
 
@@ -113,7 +114,9 @@ const ROD: &str = "#5a5a5a";
 const SAMPLES: usize = 720;
 
 impl Drawing {
-    /// Errors: a motion of another system.
+    /// Creates the drawing of a motion.
+    ///
+    /// Errors: the motion belongs to another system.
     pub fn new(scene: &Scene, motion: &Motion) -> Result<Drawing> {
         let mut tracks = vec![Track::Ground];
         for look in &scene.looks {

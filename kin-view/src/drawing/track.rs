@@ -1,4 +1,4 @@
-//! Where bodies and points stand over time.
+//! Stores the poses of bodies and the positions of points over time.
 
 use kin::extend::state::{PlanarState, SpatialState};
 use kin::{Coordinate, Mat3, Motion, Result, Vec3};
@@ -25,19 +25,21 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
-    /// R + A ū
+    /// Returns R + A ū.
     pub fn point(&self, u: Vec3) -> Vec3 {
         self.r + self.a * u
     }
 
-    /// Aᵀ (p − R)
+    /// Returns Aᵀ (p − R).
     pub fn local(&self, p: Vec3) -> Vec3 {
         self.a.transpose() * (p - self.r)
     }
 }
 
 impl Track {
-    /// The history of a body. Errors: a body of another mechanism.
+    /// Creates the track of a body.
+    ///
+    /// Errors: the body belongs to another mechanism.
     pub fn of(motion: &Motion, body: Body) -> Result<Track> {
         if body.is_ground() {
             return Ok(Track::Ground);
@@ -59,7 +61,7 @@ impl Track {
         })
     }
 
-    /// The history of a point: one position a time, or one for good.
+    /// Creates the track of a point from one position for each time, or from a single position.
     pub fn of_point(positions: &[Vec3], times: usize) -> Track {
         let at = |k: usize| positions.get(k).or(positions.last().filter(|_| positions.len() == 1));
         let column =
@@ -67,7 +69,7 @@ impl Track {
         Track::Point([column(|p| p.x), column(|p| p.y), column(|p| p.z)])
     }
 
-    /// Where it stands at time k; a NaN where that is not known.
+    /// Returns the frame at time k, or NaN if the frame is unknown.
     pub fn frame(&self, k: usize) -> Frame {
         let at = |column: &Vec<f64>| column.get(k).copied().unwrap_or(f64::NAN);
         match self {
@@ -89,7 +91,7 @@ impl Track {
         }
     }
 
-    /// Its columns, as the page gets them.
+    /// Returns the columns in the form for the page.
     pub fn columns(&self) -> &[Vec<f64>] {
         match self {
             Track::Ground => &[],
@@ -98,13 +100,13 @@ impl Track {
         }
     }
 
-    /// True if it is no planar body, or one that does not turn.
+    /// Returns true if the track is not a planar body, or a planar body that does not rotate.
     pub fn keeps_its_angle(&self) -> bool {
         let Track::Planar([.., theta]) = self else { return true };
         theta.iter().all(|angle| (angle - theta[0]).abs() < 0.05)
     }
 
-    /// True if the track never moves by more than `least`, a length; turning counts by itself.
+    /// Returns true if the track never moves by more than the length `least` and never rotates.
     pub fn is_still(&self, least: f64) -> bool {
         let rotations = if let Track::Point(_) = self {
             usize::MAX

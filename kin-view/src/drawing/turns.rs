@@ -1,5 +1,4 @@
-//! How bodies turn: by how much between two times, about their own length, in one plane all
-//! together.
+//! Determines the rotation of bodies: between two times, about their length, and in a common plane.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -1,5 +1,7 @@
-//! Wheels: a disc on the pitch circle, with marks where teeth could stand. How many teeth a wheel
-//! has its radius does not tell; marks of wheels that mesh have one pitch, and meet.
+//! Draws wheels: a disc on the pitch circle, with marks at the places of teeth.
+//!
+//! The radius of a wheel does not determine its number of teeth. So Kin chooses one pitch for the
+//! marks of wheels that mesh, and the marks of these wheels meet.
 
 use std::f64::consts::TAU;
 
@@ -29,7 +31,8 @@ pub(super) struct Wheel {
 }
 
 impl Wheel {
-    /// Its shapes, for a pitch that all wheels with teeth share, if there is one.
+    /// Returns the shapes of the wheel, for the common pitch of all wheels with teeth, if they have
+    /// one.
     pub fn drawn(&self, pitch: Option<f64>) -> Vec<(Vec<Vec2>, Style)> {
         let tooth = self.tooth.unwrap_or(0.0);
         let at = |share: f64, angle: f64| {

@@ -1,4 +1,4 @@
-//! Panels drawn with plotters: axes, lines, dots, and the names beside them.
+//! Draws panels with the crate `plotters`: axes, lines, dots, and the names beside the lines.
 
 use std::ops::Range;
 
@@ -19,7 +19,7 @@ use super::panel::{Axes, Mark, Panel, Style};
 /// Plotters rounds to whole units: ten of them are one of the picture.
 pub const FINE: u32 = 10;
 
-/// Width of a panel, and what stands beside its axes: numbers and names of axes, names of lines.
+/// The width of a panel with the labels beside its axes: numbers and names of axes, names of lines.
 pub const WIDTH: u32 = 590;
 const LEFT: u32 = 78;
 const EDGE: u32 = 10;
@@ -33,7 +33,7 @@ type Drawn = Result<
     DrawingAreaErrorKind<<SVGBackend<'static> as plotters::backend::DrawingBackend>::ErrorType>,
 >;
 
-/// Panels row by row, each of this height.
+/// Draws panels row by row, each panel with this height.
 pub fn page(panels: &[Panel], columns: usize, height: u32) -> String {
     let rows = panels.len().div_ceil(columns).max(1);
     let [across, down] = [WIDTH * columns as u32, height * rows as u32];

@@ -1,4 +1,4 @@
-//! Charts of forces: what drives must give, and what joints hold.
+//! Creates charts of forces: the efforts of drivers and the forces in joints.
 
 use kin::forces::Forces;
 use kin::results::Series;
@@ -43,8 +43,10 @@ fn short(name: &str) -> &str {
 }
 
 impl Figure {
-    /// The effort of each drive and the size of the force of each joint over time; forces that are
-    /// not unique are not shown.
+    /// Creates charts of the effort of each driver and of the magnitude of the force in each joint,
+    /// over time.
+    ///
+    /// The charts omit forces that are not unique.
     pub fn of_forces(forces: &Forces<'_>) -> Figure {
         let panel = |group: &Group| {
             let empty = Panel::over_time(group.title, group.label);

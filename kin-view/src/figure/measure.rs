@@ -1,4 +1,4 @@
-//! How numbers of any size are brought onto an axis.
+//! Scales numbers of any size for an axis.
 
 /// Numbers beyond this are brought nearer before they are drawn: differences of larger ones may be
 /// no numbers.

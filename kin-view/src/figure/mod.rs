@@ -1,4 +1,4 @@
-//! Charts as SVG: lines over time, and paths in the plane with equal axes.
+//! Draws charts as SVG: lines over time, and paths in the plane with equal axes.
 
 mod draw;
 mod forces;
@@ -17,20 +17,21 @@ pub(crate) use thin::thinned_path;
 
 use crate::file;
 
-/// Several panels side by side.
+/// A figure with one or more panels.
 pub struct Figure {
     panels: Vec<Panel>,
     columns: usize,
 }
 
 impl Figure {
-    /// The panels row by row, two in a row (one alone if there is only one).
+    /// Creates a figure of panels, row by row with two panels in a row.
     pub fn new(panels: impl IntoIterator<Item = Panel>) -> Figure {
         let panels: Vec<Panel> = panels.into_iter().collect();
         Figure { columns: panels.len().clamp(1, 2), panels }
     }
 
-    /// One coordinate with its rates over time, one panel each.
+    /// Creates a figure of one coordinate, its velocity and its acceleration over time, with one
+    /// panel for each.
     pub fn of_coordinate(name: &str, motion: &Quantity) -> Figure {
         let panel =
             |title: &str, label: &str, series| Panel::over_time(title, label).series(label, series);
@@ -42,21 +43,23 @@ impl Figure {
         .columns(3)
     }
 
-    /// Another number of panels in a row.
+    /// Sets the number of panels in a row.
     pub fn columns(mut self, columns: usize) -> Figure {
         self.columns = columns.clamp(1, self.panels.len().max(1));
         self
     }
 
-    /// Writes the figure, making folders that are missing; as PNG if the file is called so (with
-    /// the feature `png`), else as SVG.
+    /// Writes the figure to a file and creates missing folders.
     ///
-    /// Errors: a file that cannot be written, by its path.
+    /// The format is PNG if the name of the file ends with `.png`, otherwise SVG. PNG needs the
+    /// feature `png`.
+    ///
+    /// Errors: Kin cannot write the file; the error contains the path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         file::save_picture(path.as_ref(), &self.svg())
     }
 
-    /// The figure as SVG.
+    /// Returns the figure as SVG.
     pub fn svg(&self) -> String {
         let height = if self.panels.iter().any(Panel::is_plane) { 460 } else { 330 };
         draw::page(&self.panels, self.columns, height)

@@ -1,4 +1,4 @@
-//! One pair of axes with lines in it.
+//! Defines a panel: one pair of axes with lines.
 
 use kin::results::{Series, Units};
 use kin::{Vec2, vec2};
@@ -7,8 +7,9 @@ use super::measure::{Measure, SANE};
 use super::thin::thinned;
 use crate::color::PALETTE;
 
-/// One pair of axes: quantities over time, or paths in the plane. Values that are not finite are
-/// gaps.
+/// A panel with one pair of axes: quantities over time, or paths in the plane.
+///
+/// At values that are not finite the lines have gaps.
 pub struct Panel {
     pub(super) title: String,
     pub(super) x_label: String,
@@ -45,30 +46,34 @@ pub(super) enum Axes {
 }
 
 impl Panel {
-    /// Quantities over time; the vertical axis takes its unit from them.
+    /// Creates a panel of quantities over time; the vertical axis has the unit of the quantities.
     pub fn over_time(title: &str, quantity: &str) -> Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: false })
     }
 
-    /// Quantities over time in powers of ten, such as a condition number; values that are not above
-    /// zero are gaps.
+    /// Creates a panel of quantities over time with a logarithmic vertical axis, such as for a
+    /// condition number.
+    ///
+    /// At values that are not positive the lines have gaps.
     pub fn log_over_time(title: &str, quantity: &str) -> Panel {
         Panel::new(title, "t [s]", quantity, Axes::Time { span: None, log: true })
     }
 
-    /// The plane of motion, one metre (or what [`Panel::in_units`] calls it) as long upwards as to
-    /// the right.
+    /// Creates a panel of the plane of motion, with equal scales on both axes.
+    ///
+    /// [`Panel::in_units`] sets the name of the unit of length.
     pub fn plane(title: &str) -> Panel {
         Panel::new(title, "x [m]", "y [m]", Axes::Plane)
     }
 
-    /// Any quantity over any other, with the labels of both axes.
+    /// Creates a panel of any quantity over any other quantity, with the labels of both axes.
     pub fn numbers(title: &str, x_label: &str, y_label: &str) -> Panel {
         Panel::new(title, x_label, y_label, Axes::Numbers)
     }
 
-    /// Lengths and times in these words: [`kin::Motion::unit_words`]. Quantities over time know
-    /// them by themselves.
+    /// Sets the names of the units of length and time, such as [`kin::Motion::unit_words`].
+    ///
+    /// A panel with quantities over time uses the units of the quantities without this call.
     pub fn in_units(mut self, units: &Units) -> Panel {
         match self.axes {
             Axes::Time { .. } => self.x_label = format!("t [{}]", units.time()),
@@ -86,24 +91,24 @@ impl Panel {
         Panel { title, x_label, y_label, axes, marks: Vec::new(), named: 0 }
     }
 
-    /// One quantity over time, as a line.
+    /// Adds one quantity over time, as a line.
     pub fn series(mut self, label: &str, series: &Series) -> Panel {
         let points = self.points(series);
         self.line(label, &points)
     }
 
-    /// One quantity over time, as a dot every so many times.
+    /// Adds one quantity over time, as dots, one dot for every `every` times.
     pub fn dots(mut self, label: &str, series: &Series, every: usize) -> Panel {
         let points: Vec<Vec2> = self.points(series).into_iter().step_by(every.max(1)).collect();
         self.scatter(label, &points)
     }
 
-    /// A path in the plane.
+    /// Adds a path in the plane, as a line.
     pub fn path(self, label: &str, points: &[Vec2]) -> Panel {
         self.line(label, points)
     }
 
-    /// Points, as dots.
+    /// Adds points, as dots.
     pub fn scatter(mut self, label: &str, points: &[Vec2]) -> Panel {
         let points = points.iter().filter(|p| self.shown(p)).map(|p| (p.x, p.y)).collect();
         let mark = Mark {
@@ -116,7 +121,7 @@ impl Panel {
         self
     }
 
-    /// Bodies as they stand at one time: thin grey lines without a name.
+    /// Adds bodies in their pose at one time, as thin grey lines without a name.
     pub fn sketch(mut self, points: &[Vec2]) -> Panel {
         let points = points.iter().filter(|p| self.shown(p)).map(|p| (p.x, p.y)).collect();
         self.marks.push(Mark { points, color: "#999999", label: None, style: Style::Thin });

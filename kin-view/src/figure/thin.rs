@@ -1,4 +1,4 @@
-//! Lines without the points that nobody would miss.
+//! Removes the points of a line that do not change its picture.
 
 use kin::{Vec2, vec2};
 

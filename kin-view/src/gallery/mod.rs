@@ -1,4 +1,4 @@
-//! One page that leads to many.
+//! Creates an index page with links to many pages.
 
 use std::path::{Path, PathBuf};
 
@@ -13,8 +13,8 @@ use crate::picture::escaped;
 const INDEX: &str = include_str!("index.html");
 const STYLE: &str = include_str!("index.css");
 
-/// An index of pages, each in a folder of its own beside it with an animated picture and other
-/// files.
+/// An index of pages. Each page is in a separate folder next to the index, with an animated picture
+/// and other files.
 pub struct Gallery {
     title: String,
     text: String,
@@ -28,13 +28,15 @@ struct Entry {
 }
 
 impl Gallery {
-    /// An empty index with a heading and a few words.
+    /// Creates an empty index with a heading and a short text.
     pub fn new(title: &str, text: &str) -> Gallery {
         Gallery { title: title.to_string(), text: text.to_string(), entries: Vec::new() }
     }
 
-    /// The page `FOLDER/index.html`, with what is to be seen there; `FOLDER/animated.svg` is its
-    /// picture, the other files are listed.
+    /// Adds the page `FOLDER/index.html` with a title and a description.
+    ///
+    /// The picture of the entry is `FOLDER/animated.svg`. The index lists the other files of the
+    /// folder.
     pub fn entry(mut self, folder: &str, title: &str, text: &str) -> Gallery {
         self.entries.push(Entry {
             folder: folder.to_string(),
@@ -44,9 +46,10 @@ impl Gallery {
         self
     }
 
-    /// Writes `index.html` into a folder that has the folders of all entries.
+    /// Writes `index.html` into the folder that contains the folders of all entries.
     ///
-    /// Errors: an entry without its page or picture, a file that cannot be written, by its path.
+    /// Errors: the page or picture of an entry is missing; Kin cannot write the file. The error
+    /// contains the path.
     pub fn save(&self, folder: impl AsRef<Path>) -> Result<()> {
         let folder = folder.as_ref();
         let entries =

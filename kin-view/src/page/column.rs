@@ -1,7 +1,8 @@
-//! A column of numbers as few characters: whole multiples of a step, second differences of them,
-//! seven bits a byte, base64.
+//! Encodes a column of numbers in few characters: as whole multiples of a step, with second
+//! differences, seven bits in each byte, and base64.
 //!
-//! A smooth motion costs about one byte a number. The reader is `column` in `assets/data.js`.
+//! A smooth motion needs about one byte for each number. The function `column` in `assets/data.js`
+//! decodes the column.
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;

@@ -1,5 +1,6 @@
-//! One self-contained HTML file: the mechanism moves, charts follow. Nothing is loaded, and only
-//! its own script may run.
+//! Creates one self-contained HTML file with a moving mechanism and charts.
+//!
+//! The file loads no other file, and the browser runs only the script in the file.
 
 mod column;
 
@@ -38,7 +39,7 @@ const FINE: f64 = 1e-7;
 /// Forces on the page are right to this share of the largest of each.
 const FINE_FORCE: f64 = 1e-5;
 
-/// A page in the making; [`Scene::page`] begins one.
+/// A page that shows a motion. [`Scene::page`] creates a page.
 pub struct Page {
     title: String,
     drawing: Drawing,
@@ -56,9 +57,9 @@ struct Chart {
 }
 
 impl Scene {
-    /// A page that shows the motion.
+    /// Creates a page that shows the motion.
     ///
-    /// Errors: a motion of another system.
+    /// Errors: the motion belongs to another system.
     pub fn page(&self, motion: &Motion) -> Result<Page> {
         Ok(Page {
             title: self.name.clone(),
@@ -71,14 +72,16 @@ impl Scene {
 }
 
 impl Page {
-    /// Another title than the name of the mechanism.
+    /// Sets the title of the page. The default is the name of the mechanism.
     pub fn title(mut self, title: &str) -> Page {
         self.title = title.to_string();
         self
     }
 
-    /// A chart of quantities over time, each with a name; the unit is that of the first. Values
-    /// that are not finite are gaps.
+    /// Adds a chart of quantities over time, each with a name.
+    ///
+    /// The unit of the chart is the unit of the first quantity. At values that are not finite the
+    /// lines have gaps.
     pub fn chart<'a>(
         self,
         title: &str,
@@ -90,8 +93,10 @@ impl Page {
         self.values(title, &unit, series)
     }
 
-    /// A chart of numbers over time, in a unit: one list a name, with one number for each time of
-    /// the motion. Values that are not finite are gaps.
+    /// Adds a chart of numbers over time, in a unit.
+    ///
+    /// Each name has a list with one number for each time of the motion. At values that are not
+    /// finite the lines have gaps.
     pub fn values<'a>(
         mut self,
         title: &str,
@@ -104,15 +109,16 @@ impl Page {
         self
     }
 
-    /// Three charts of one coordinate: q, q̇ and q̈.
+    /// Adds three charts of one coordinate: q, q̇ and q̈.
     pub fn coordinate(self, title: &str, motion: &Quantity) -> Page {
         self.chart(title, [("q", &motion.value)])
             .chart(&format!("{title}, velocity"), [("q̇", &motion.rate)])
             .chart(&format!("{title}, acceleration"), [("q̈", &motion.second_rate)])
     }
 
-    /// Charts of what drives must give and of the forces in joints. Arrows are the scene's:
-    /// [`Scene::forces`].
+    /// Adds charts of the efforts of drivers and of the forces in joints.
+    ///
+    /// To show forces as arrows, call [`Scene::forces`].
     pub fn forces(self, forces: &Forces<'_>) -> Page {
         groups(forces).iter().fold(self, |page, group| {
             page.chart(
@@ -122,30 +128,32 @@ impl Page {
         })
     }
 
-    /// The times that were asked for. Where the motion is only a part of them (the one in an error,
-    /// [`kin::Error::motion`]) the page shows that part, and says that the run ended before its
+    /// Sets the requested times of the run. \[s\]
+    ///
+    /// If the motion has only a part of the times (as the motion in an error,
+    /// [`kin::Error::motion`]), the page shows this part and says that the run ended before its
     /// last time.
-    ///   \[s\]
     pub fn asked(mut self, times: &[f64]) -> Page {
         self.unreached = times.last().copied().filter(|_| times.len() > self.drawing.times.len());
         self
     }
 
-    /// Why the run ended early, as its error says ([`kin::Error::reason`]); the page shows it where
-    /// not all times were reached.
+    /// Sets the reason why the run ended early, such as [`kin::Error::reason`].
+    ///
+    /// The page shows the reason if the motion does not have all requested times.
     pub fn ended(mut self, why: &str) -> Page {
         self.why = why.to_string();
         self
     }
 
-    /// Writes the page, making folders that are missing.
+    /// Writes the page to a file and creates missing folders.
     ///
-    /// Errors: a file that cannot be written, by its path.
+    /// Errors: Kin cannot write the file; the error contains the path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         file::save(path.as_ref(), &self.html())
     }
 
-    /// The page as HTML.
+    /// Returns the page as HTML.
     pub fn html(&self) -> String {
         let script = format!("(() => {{\n\"use strict\";\n{}}})();\n", SCRIPT.join("\n"));
         let policy = format!(

@@ -1,4 +1,4 @@
-//! The animated picture: each moving thing is a group with keyframes, nothing is scripted.
+//! Creates the animated picture: each moving part is a group with keyframes, without a script.
 
 use kin::{Vec2, Vec3, vec2};
 

@@ -1,5 +1,5 @@
-//! Forces in a picture: straight arrows, in the plane arcs for torques, and the scale that they are
-//! read by.
+//! Draws the forces in a picture as straight arrows, with arcs for torques in the plane, and a
+//! scale.
 
 use kin::{Vec2, Vec3, vec2};
 

@@ -1,4 +1,4 @@
-//! Pictures of a mechanism as SVG: at one time, as a sequence of ghosts, and moving.
+//! Creates pictures of a mechanism as SVG: at one time, as a sequence of poses, and animated.
 
 mod animated;
 mod arrows;
@@ -16,41 +16,46 @@ use svg::Svg;
 pub(crate) use svg::{digits, escaped, short};
 use view::View;
 
-/// A picture of a mechanism, to be saved.
+/// A picture of a mechanism, which [`Picture::save`] writes to a file.
 pub struct Picture {
     svg: String,
 }
 
 impl Picture {
-    /// Writes the picture, making folders that are missing; as PNG if the file is called so (with
-    /// the feature `png`), else as SVG.
+    /// Writes the picture to a file and creates missing folders.
     ///
-    /// Errors: a file that cannot be written, by its path.
+    /// The format is PNG if the name of the file ends with `.png`, otherwise SVG. PNG needs the
+    /// feature `png`.
+    ///
+    /// Errors: Kin cannot write the file; the error contains the path.
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
         file::save_picture(path.as_ref(), &self.svg)
     }
 
-    /// The picture as SVG.
+    /// Returns the picture as SVG.
     pub fn svg(&self) -> &str {
         &self.svg
     }
 }
 
 impl Scene {
-    /// The mechanism as it stands at the time of the motion that is nearest to t, with the traced
-    /// paths, and with forces if there are any ([`Scene::forces`]).   \[s\]
+    /// Draws the mechanism in its pose at the time of the motion that is nearest to t. \[s\]
     ///
-    /// Errors: a motion of another system.
+    /// The picture contains the traced paths, and the forces if the scene has forces
+    /// ([`Scene::forces`]).
+    ///
+    /// Errors: the motion belongs to another system.
     pub fn pose(&self, motion: &Motion, t: f64) -> Result<Picture> {
         let distance = |k: &usize| (motion.times()[*k] - t).abs();
         let nearest = (0..motion.len()).min_by(|a, b| distance(a).total_cmp(&distance(b)));
         self.pictured(motion, &nearest.map(|k| (k, 1.0)).into_iter().collect::<Vec<_>>())
     }
 
-    /// The mechanism at `count` times evenly over the motion, the later the darker, with the traced
-    /// paths.
+    /// Draws the mechanism at `count` evenly spaced times of the motion, with the traced paths.
     ///
-    /// Errors: a motion of another system.
+    /// Later poses are darker.
+    ///
+    /// Errors: the motion belongs to another system.
     pub fn sequence(&self, motion: &Motion, count: usize) -> Result<Picture> {
         let last = motion.len().saturating_sub(1);
         let gaps = count.clamp(1, motion.len().max(1)).max(2) - 1;
@@ -60,12 +65,15 @@ impl Scene {
         self.pictured(motion, &(0..=gaps).map(at).collect::<Vec<_>>())
     }
 
-    /// The motion as an SVG of a few kilobytes that plays by itself, once in `seconds`, for ever:
-    /// some 48 poses a turn and straight lines between them. Where a body turns by more than 0.6
-    /// rad from one time of the motion to the next, the poses follow one another without anything
-    /// between. A viewer that shows no motion shows the first pose.
+    /// Draws the motion as an animated SVG of a few kilobytes, which repeats every `seconds`
+    /// seconds.
     ///
-    /// Errors: a motion of another system.
+    /// The animation has about 48 poses for each revolution, with linear interpolation between
+    /// poses. If a body rotates by more than 0.6 rad from one time of the motion to the next, the
+    /// animation does not interpolate between these poses. A viewer without animation shows the
+    /// first pose.
+    ///
+    /// Errors: the motion belongs to another system.
     pub fn animated(&self, motion: &Motion, seconds: f64) -> Result<Picture> {
         Ok(Picture { svg: animated::animated(&Drawing::new(self, motion)?, seconds) })
     }

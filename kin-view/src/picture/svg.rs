@@ -1,4 +1,4 @@
-//! A small writer of SVG: what a drawing needs, names escaped, nothing that is not finite.
+//! Writes the SVG elements of a drawing, with escaped names and only finite numbers.
 
 use std::fmt::Write;
 
@@ -23,7 +23,7 @@ impl Svg {
         Svg { text, width, height }
     }
 
-    /// A piece without a frame.
+    /// Creates a piece without a frame.
     pub fn piece() -> Svg {
         Svg { text: String::new(), width: 0.0, height: 0.0 }
     }
@@ -37,7 +37,7 @@ impl Svg {
         self.text.push('\n');
     }
 
-    /// A filled shape with an edge.
+    /// Draws a filled shape with an edge.
     pub fn polygon(&mut self, points: &[Vec2], color: &str) {
         if let Some(points) = list(points) {
             self.push(&format!(
@@ -46,7 +46,7 @@ impl Svg {
         }
     }
 
-    /// A line through all points.
+    /// Draws a line through all points.
     pub fn line(&mut self, points: &[Vec2], color: &str, width: f64) {
         if let Some(points) = list(points) {
             self.push(&format!(
@@ -55,8 +55,8 @@ impl Svg {
         }
     }
 
-    /// A path over time: points that are not finite are gaps, points that nobody would miss are
-    /// left out.
+    /// Draws a path over time, with gaps at points that are not finite and without points that do
+    /// not change the picture.
     pub fn path(&mut self, points: &[Vec2], color: &str, width: f64) {
         let d = path_data(points);
         if !d.is_empty() {
@@ -84,7 +84,7 @@ impl Svg {
         }
     }
 
-    /// A triangle on hatched ground.
+    /// Draws a triangle on hatched ground.
     pub fn support(&mut self, p: Vec2) {
         if finite(&p) {
             self.push(&format!(
@@ -118,7 +118,7 @@ impl Svg {
         ));
     }
 
-    /// Words that begin at a point.
+    /// Writes a text that begins at a point.
     pub fn note(&mut self, p: Vec2, text: &str) {
         let x = short(p.x);
         let y = short(p.y);

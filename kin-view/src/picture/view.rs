@@ -1,4 +1,4 @@
-//! From the mechanism's coordinates to those of the picture.
+//! Converts coordinates of the mechanism to coordinates of the picture.
 
 use kin::{Vec2, Vec3, vec2};
 
@@ -20,7 +20,7 @@ pub(super) struct View {
 }
 
 impl View {
-    /// Everything at all times within a width and a height at most.   [px]
+    /// Creates a view that shows the whole drawing at all times within a width and a height. [px]
     pub fn new(drawing: &Drawing, width: f64, height: f64) -> View {
         let [right, up, eye] = axes(drawing);
         let mut low = vec2(f64::MAX, f64::MAX);
@@ -50,7 +50,7 @@ impl View {
         }
     }
 
-    /// Where a point is drawn.   [px]
+    /// Returns the position of a point in the picture. [px]
     pub fn point(&self, p: Vec3) -> Vec2 {
         vec2(
             self.shift.x + self.scale * self.right.dot(p),
@@ -58,12 +58,12 @@ impl View {
         )
     }
 
-    /// How near a point is to the eye.
+    /// Returns the depth of a point: how close the point is to the viewer.
     pub fn depth(&self, p: Vec3) -> f64 {
         self.eye.dot(p)
     }
 
-    /// The lines of a floor under a spatial mechanism.
+    /// Returns the lines of a floor under a spatial mechanism.
     pub fn floor(&self, drawing: &Drawing) -> Vec<Vec<Vec2>> {
         // Seen from right above a floor is no floor.
         if drawing.planar || self.eye.z.abs() > 0.999 {

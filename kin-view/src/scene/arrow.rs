@@ -1,4 +1,4 @@
-//! Forces and torques of a motion, to be drawn as arrows.
+//! Stores the forces and torques of a motion for arrows.
 
 use kin::forces::{BodyWrench, Forces, Reaction};
 use kin::loads::HasTorque;
@@ -18,15 +18,15 @@ pub(crate) enum Acting {
 /// A force or a torque on a body over time.
 #[derive(Clone)]
 pub(crate) struct Arrow {
-    /// Such as `A on crank`.
+    /// The name, such as `A on crank`.
     pub name: String,
     pub acting: Acting,
     pub body: Body,
     pub is_torque: bool,
     pub unit: String,
-    /// Where it acts, one a time.   \[m\]
+    /// The points at which the force acts, one for each time. \[m\]
     pub points: Vec<Vec3>,
-    /// Its components, one a time.   \[N or N m\]
+    /// The components of the force or torque, a vector for each time. \[N or N m\]
     pub vectors: Vec<Vec3>,
 }
 
@@ -34,11 +34,13 @@ pub(crate) struct Arrow {
 const NOTHING: f64 = 1e-9;
 
 impl Scene {
-    /// Shows the forces of the motion that is drawn: for each constraint and each load an arrow for
-    /// the force and one for the torque that it puts on the first of its bodies, at its point
-    /// there; the other body has the opposite. What is not unique, because equations are redundant,
-    /// is not shown. Poses have them, and pages, where they move and can be switched off; a scale
-    /// beside them says how long a force is.
+    /// Shows the forces of the drawn motion as arrows.
+    ///
+    /// Each constraint and each load has an arrow for its force and an arrow for its torque on its
+    /// first body, at its point on this body. The force and torque on the other body are the
+    /// opposite. The scene omits forces that are not unique because equations are redundant.
+    /// Pictures of a pose and pages show the arrows, with a scale. On a page the arrows move, and
+    /// the reader can switch them off.
     pub fn forces(mut self, forces: &Forces<'_>) -> Scene {
         let drives = forces.drives();
         for name in forces.constraints() {

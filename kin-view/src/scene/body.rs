@@ -1,4 +1,4 @@
-//! Bodies of either kind, and points of either dimension.
+//! Defines bodies and points that are planar or spatial.
 
 use kin::extend::Target;
 use kin::{Ground, Link, PlanarBody, SpatialBody, SpatialLink, Vec2, Vec3};

@@ -1,5 +1,5 @@
-//! Shapes that joints of the library know of their bodies beyond points: wheels, belts, racks, cams
-//! and what runs on them.
+//! Defines the shapes of bodies that joints of the library determine: wheels, belts, racks, cams
+//! and their followers.
 
 use std::collections::HashMap;
 use std::f64::consts::TAU;

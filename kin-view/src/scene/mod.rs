@@ -1,4 +1,4 @@
-//! How a mechanism is to be drawn: what its constraints say by themselves, and what the user tells.
+//! Describes how a mechanism is drawn, from its constraints and from the user's settings.
 
 mod arrow;
 mod body;
@@ -16,19 +16,20 @@ pub(crate) use form::{Form, Touch};
 pub use outline::Outline;
 pub(crate) use outline::{OutlineKind, circle};
 
-/// How a mechanism is drawn. Bodies, pins, slots and rods come from the mechanism itself: each
-/// constraint knows the points of its bodies that it speaks of. Shapes that are given here come on
-/// top, or instead.
+/// Describes how a mechanism is drawn.
 ///
-/// A body is drawn through the points where constraints hold it, a link from end to end: one point
-/// is a disc, two are a bar, more are a plate. Where points of two bodies stay together there is a
-/// pin; where a point runs along a path in another body, that path is drawn as a slot (or, if it is
-/// closed, as a disc of that shape); two points without a direction between them are held by a rod.
-/// Gears, belts, wheels on racks and tracks, cams and their rollers and faces have the shapes that
-/// their joints know. What turns about its own length has a disc with a spoke. Bodies that stand
-/// still look like the ground.
+/// Kin draws bodies, pins, slots and rods from the points of bodies in the constraints. Methods of
+/// the scene replace these shapes or add shapes.
 ///
-/// A told body of another mechanism, and a colour that is none, change nothing.
+/// Kin draws a body through the points at which constraints hold the body, and a link from end to
+/// end. A body with one point is a disc, with two points a bar, and with more points a plate. Where
+/// points of two bodies coincide at all times, Kin draws a pin. Where a point moves along a path in
+/// another body, Kin draws the path as a slot, or as a disc if the path is closed. For a distance
+/// between two points Kin draws a rod. Gears, belts, wheels on racks and tracks, cams, and their
+/// rollers and faces have the shapes from their joints. A body that rotates about its length has a
+/// disc with a spoke. Bodies at rest look like the ground.
+///
+/// The scene ignores a body of another mechanism and an invalid colour.
 #[derive(Clone)]
 pub struct Scene {
     pub(crate) name: String,
@@ -62,7 +63,7 @@ pub(crate) struct Look {
 #[derive(Clone)]
 pub(crate) struct Joint {
     pub name: String,
-    /// Its bodies; the ground too.
+    /// The bodies of the constraint, including the ground.
     pub bodies: Vec<Body>,
     /// Points as (one of `bodies`, local point).
     pub points: Vec<(usize, Vec3)>,
@@ -70,7 +71,8 @@ pub(crate) struct Joint {
     pub directed: Vec<usize>,
     /// The shapes of its bodies, as far as the constraint determines them.
     pub form: Option<Form>,
-    /// Nothing of it is drawn; its points still tell where its bodies are held.
+    /// True if Kin does not draw the constraint. Its points still determine the shapes of its
+    /// bodies.
     pub hidden: bool,
 }
 
@@ -90,7 +92,7 @@ pub(crate) struct MovingLine {
 }
 
 impl Scene {
-    /// The mechanism as its bodies and constraints describe it.
+    /// Creates the scene of a mechanism from its bodies and constraints.
     pub fn new(system: &System) -> Scene {
         let looks = system.bodies().into_iter().filter_map(|(name, target)| {
             let body = Body::of(&target)?;
@@ -116,14 +118,16 @@ impl Scene {
         }
     }
 
-    /// Draws a body (or the ground) by this outline; several add up. It takes the place of the
-    /// default: of bars and plates, wheels and cams.
+    /// Draws a body (or the ground) with this outline instead of the default shapes.
+    ///
+    /// Several calls for a body add several outlines. The default shapes are bars, plates, wheels
+    /// and cams.
     pub fn outline(mut self, body: impl Into<Body>, outline: Outline) -> Scene {
         self.look(body.into()).into_iter().for_each(|look| look.outlines.push(outline.clone()));
         self
     }
 
-    /// Draws this outline of a body (or the ground) beside what is drawn of it anyhow.
+    /// Draws this outline of a body (or the ground) in addition to its other shapes.
     pub fn add_outline(mut self, body: impl Into<Body>, outline: Outline) -> Scene {
         self.look(body.into()).into_iter().for_each(|look| look.added.push(outline.clone()));
         self
@@ -140,7 +144,7 @@ impl Scene {
         self
     }
 
-    /// Does not draw a body; its pins stay.
+    /// Hides a body. The scene still shows the pins of the body.
     pub fn hide(mut self, body: impl Into<Body>) -> Scene {
         if let Some(look) = self.look(body.into()) {
             look.hidden = true;
@@ -148,8 +152,9 @@ impl Scene {
         self
     }
 
-    /// Does not draw the points, slots, rods, wheels and cams of one constraint. Its bodies stay as
-    /// they are.
+    /// Hides the points, slots, rods, wheels and cams of one constraint.
+    ///
+    /// The shapes of the bodies of the constraint do not change.
     pub fn hide_joint(mut self, name: &str) -> Scene {
         self.joints
             .iter_mut()
@@ -176,8 +181,10 @@ impl Scene {
         self.trace(&marker.name, marker.body, marker.u)
     }
 
-    /// Draws a line through points that move, for mechanisms of bare coordinates: for each point
-    /// its position at each time of the motion, or a single one if it stays.
+    /// Draws a line through points that move, for mechanisms in scalar coordinates.
+    ///
+    /// Each point has one position for each time of the motion, or a single position if the point
+    /// is at rest.
     pub fn line<P: Into<Point> + Copy>(mut self, name: &str, points: &[&[P]]) -> Scene {
         let points =
             points.iter().map(|point| point.iter().map(|p| (*p).into().0).collect()).collect();
@@ -185,9 +192,11 @@ impl Scene {
         self
     }
 
-    /// Where the eye stands that looks at a spatial mechanism: angle about z from the x-axis, and
-    /// above the horizon. Without it the eye looks straight at a mechanism that moves in one plane,
-    /// and at others from aside and above.   \[rad\]
+    /// Sets the direction from which the scene shows a spatial mechanism: the angle about z from
+    /// the x-axis, and the angle above the horizon. \[rad\]
+    ///
+    /// By default the view is perpendicular to the plane of a mechanism that moves in one plane,
+    /// and from the side and above for other mechanisms.
     pub fn seen_from(mut self, azimuth: f64, elevation: f64) -> Scene {
         self.eye = Some((azimuth, elevation));
         self

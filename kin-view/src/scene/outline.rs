@@ -1,4 +1,4 @@
-//! Told shapes of bodies.
+//! Defines the shapes of bodies that the user gives.
 
 use std::f64::consts::TAU;
 
@@ -6,7 +6,7 @@ use kin::{Vec2, Vec3, vec2};
 
 use super::Point;
 
-/// A shape fixed in a body, in its frame.   \[m\]
+/// A shape that is fixed in a body, in the frame of the body. \[m\]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outline {
     pub(crate) points: Vec<Vec3>,
@@ -23,7 +23,7 @@ pub(crate) enum OutlineKind {
 }
 
 impl Outline {
-    /// A filled shape with these corners.
+    /// Creates a filled polygon with these corners.
     pub fn polygon<P: Into<Point>>(corners: impl IntoIterator<Item = P>) -> Outline {
         Outline {
             points: corners.into_iter().map(|p| p.into().0).collect(),
@@ -31,17 +31,17 @@ impl Outline {
         }
     }
 
-    /// An open line through these points.
+    /// Creates an open line through these points.
     pub fn line<P: Into<Point>>(points: impl IntoIterator<Item = P>) -> Outline {
         Outline { kind: OutlineKind::Line, ..Outline::polygon(points) }
     }
 
-    /// A disc in the plane.
+    /// Creates a disc in the plane from its centre and radius. \[m\]
     pub fn disc(center: impl Into<Vec2>, radius: f64) -> Outline {
         Outline::polygon(circle(center.into(), radius, 96))
     }
 
-    /// The edge of the shape alone, as a thin line.
+    /// Draws only the edge of the shape, as a thin line.
     pub fn hollow(mut self) -> Outline {
         if self.kind == OutlineKind::Filled {
             self.points.extend(self.points.first().copied());
@@ -50,7 +50,7 @@ impl Outline {
         self
     }
 
-    /// The same shape, turned about the z-axis of its body.   \[rad\]
+    /// Rotates the shape about the z-axis of its body. \[rad\]
     pub fn turned(mut self, angle: f64) -> Outline {
         let (sin, cos) = angle.sin_cos();
         for p in &mut self.points {
@@ -59,8 +59,9 @@ impl Outline {
         self
     }
 
-    /// A spur gear in the plane, about the origin of its body: pitch radius and number of teeth,
-    /// one tooth on the x-axis.
+    /// Creates a spur gear in the plane from its pitch radius \[m\] and number of teeth.
+    ///
+    /// The centre of the gear is the origin of the body, and one tooth is on the x-axis.
     pub fn gear(radius: f64, teeth: usize) -> Outline {
         let module = 2.0 * radius / teeth.max(3) as f64;
         let flank = |tooth: usize| {

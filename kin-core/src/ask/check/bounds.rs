@@ -1,5 +1,6 @@
-//! Tests the interval bounds that proofs use against values at points. A value outside its bounds
-//! is an error.
+//! Tests the interval bounds that proofs use against values at points.
+//!
+//! A value outside its bounds is an error.
 
 use super::{Disagreement, Spread, Terms};
 use crate::ask::proof::Part;

@@ -1,4 +1,4 @@
-//! Central differences of the function as it was written.
+//! Central differences of the function as the user wrote it.
 
 use nalgebra::{DMatrix, DVector};
 

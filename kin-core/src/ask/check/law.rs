@@ -1,5 +1,5 @@
-//! Checks a law: compares each derivative with central differences of the one before, and the
-//! listed breaks with the actual ones.
+//! Checks a law: compares each derivative with central differences of the derivative below it, and
+//! the listed breaks with the breaks that Kin finds.
 
 use std::fmt;
 
@@ -37,9 +37,10 @@ impl std::error::Error for LawMismatch {}
 /// Asserts that f′, f″ and f‴ of a law are the derivatives of f, f′ and f″ between `from` and `to`,
 /// and that its breaks are complete.
 ///
-/// It also tests that all values are within their interval bounds, if the law has bounds.
+/// If the law has interval bounds, the function also tests that all values are within the bounds.
 ///
-/// Use it in a test: it panics with a table. [`compare_law`] returns the table as a value.
+/// Use the function in a test. If the law fails the check, the function panics with a table of the
+/// differences. [`compare_law`] returns the table as a value.
 pub fn law(law: &Law, from: f64, to: f64) {
     if let Err(mismatch) = compare_law(law, from, to) {
         panic!("{mismatch}");
@@ -49,7 +50,9 @@ pub fn law(law: &Law, from: f64, to: f64) {
 /// Compares the derivatives of a law with central differences and returns the largest relative
 /// difference.
 ///
-/// It tests 200 places between `from` and `to`, and both sides of the breaks.
+/// The function tests 200 arguments between `from` and `to`, and both sides of the breaks.
+///
+/// Errors: the derivatives, the breaks or the bounds disagree with the law.
 pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
     let breaks = law.breaks(from, to);
     let h = 1e-6 * (to - from);

@@ -1,4 +1,4 @@
-//! Compares the promises of a constraint about its terms with the terms.
+//! Compares the promises of a constraint about its terms with the values of the terms.
 
 use nalgebra::DMatrix;
 

@@ -1,5 +1,6 @@
 //! Finds where to start instead of a singular position: another time, or another value of a driver.
-//! Kin tests it first.
+//!
+//! Kin tests the alternative before it reports the alternative.
 
 use crate::model::verdict::{Asks, Elsewhere};
 

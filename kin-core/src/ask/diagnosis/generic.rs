@@ -1,4 +1,6 @@
-//! Finds nearby poses of the same assembly: random steps along free directions and back onto C = 0.
+//! Finds nearby poses of the same assembly by random steps along free directions, each followed by
+//! a correction to C = 0.
+//!
 //! The random numbers are the same in every run.
 
 use super::nearest::nearest;
@@ -27,7 +29,8 @@ pub(super) struct Nearby {
 pub(super) struct Walk<'a> {
     pub model: &'a Model<'a>,
     pub measures: &'a Measures,
-    /// Equations that cannot be satisfied. They stay as close as the others allow.
+    /// Equations that cannot be satisfied. Kin makes their residuals as small as the other
+    /// equations allow.
     pub open: &'a [usize],
     /// The removed equations.
     pub without: &'a [usize],

@@ -1,5 +1,5 @@
-//! Finds the pose at which equations that cannot be satisfied are as close to it as the others
-//! allow.
+//! Finds the pose at which the residuals of equations that cannot be satisfied are as small as the
+//! other equations allow.
 
 use crate::solve::assembly::levenberg_marquardt::LevenbergMarquardt;
 use crate::system::scaled::{Measures, Model};

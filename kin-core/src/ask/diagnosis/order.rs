@@ -1,5 +1,5 @@
-//! An order of equations and coordinates by names alone, so that a report does not depend on the
-//! order of declaration.
+//! Orders equations and coordinates by names alone, so that a report does not depend on the order
+//! of declaration.
 
 use std::cmp::Ordering;
 

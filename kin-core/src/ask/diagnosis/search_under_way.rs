@@ -1,4 +1,4 @@
-//! A search under way.
+//! The state of an unfinished search.
 
 use crate::solve::assembly::SearchOptions;
 use crate::solve::assembly::options::Clock;

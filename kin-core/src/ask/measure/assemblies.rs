@@ -11,11 +11,10 @@ impl System {
     /// Returns the assembly at time t in which a measure is nearest to a value:
     /// `system.assembly_near(0.0, "elbow.angle", deg(-60.0))?`.
     ///
-    /// The measure may be any function of a motion, such as the distance of two points. Full
-    /// revolutions of angles do not count. To use the assembly call
-    /// `system.set_initial(&found.q)?`.
+    /// The measure may be any function of a motion, such as the distance of two points. Kin ignores
+    /// full revolutions of angles. To use the assembly, call `system.set_initial(&found.q)?`.
     ///
-    /// Errors: those of [`System::assemblies`] and [`System::measure`], no assembly at all.
+    /// Errors: those of [`System::assemblies`] and [`System::measure`]; Kin finds no assembly.
     pub fn assembly_near(&self, t: f64, what: impl Measure, value: f64) -> Result<Assembly> {
         let mut nearest: Option<(f64, Assembly)> = None;
         for assembly in self.assemblies(t)? {

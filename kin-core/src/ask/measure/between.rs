@@ -1,4 +1,4 @@
-//! The pose at a time between those of a motion, on the motion's branch.
+//! Computes the pose at a time between two times of a motion, on the branch of the motion.
 
 use super::changes::Changes;
 use crate::model::error::{Error, Result};
@@ -7,16 +7,16 @@ use crate::solve::newton::Outcome;
 use crate::system::{Solution, System};
 
 impl System {
-    /// Returns the pose at one time within a motion of this system, as a motion with that time
-    /// alone. \[s\]
+    /// Returns the pose at one time t within a motion of this system, as a motion with one time.
+    /// \[s\]
     ///
-    /// Kin solves the pose again, starting between its neighbours. The result answers every call
-    /// that a motion answers. At a change point of the motion the pose and its velocities are those
-    /// of the branch on which the motion continues.
+    /// Kin solves the pose, starting from an interpolation between the neighbouring poses of the
+    /// motion. You can call every function of a motion on the result. At a change point the pose
+    /// and its velocities are those of the branch on which the motion continues.
     ///
-    /// For a pose without a motion call `system.run([t])`.
+    /// To compute a pose without a motion, call `system.run([t])`.
     ///
-    /// Errors: a time outside the motion, a motion of another system, those of
+    /// Errors: t is outside the motion; the motion belongs to another system; those of
     /// [`System::solve_at`].
     pub fn at(&self, motion: &Motion, t: f64) -> Result<Motion> {
         self.own_as_it_is(motion)?;

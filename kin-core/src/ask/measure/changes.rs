@@ -1,5 +1,8 @@
-//! The pose of a motion at and near its change points, where C_q is singular and Kin cannot solve a
-//! pose. It follows from the branch on which the motion arrives and the one on which it continues.
+//! Computes the pose of a motion at and near its change points, where C_q is singular and Newton's
+//! method cannot solve a pose.
+//!
+//! Kin computes the pose from the branch on which the motion arrives and the branch on which the
+//! motion continues.
 
 use super::fine::rows;
 use crate::model::error::Result;

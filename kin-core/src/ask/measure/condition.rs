@@ -1,4 +1,4 @@
-//! The distance of a mechanism from a singular position along a motion.
+//! Measures how close a mechanism is to a singular position along a motion.
 
 use nalgebra::DMatrix;
 
@@ -9,11 +9,11 @@ use crate::system::System;
 impl System {
     /// Returns the 2-norm condition number of C_q at each time of a motion of this system. \[-\]
     ///
-    /// Rows and columns are scaled as in the solver, so the number does not depend on units. It is
-    /// an estimate from below, rarely by more than a factor of 2. It is infinite where C_q is
-    /// singular.
+    /// Kin scales rows and columns as in the solver, so the number does not depend on units. The
+    /// number is an estimate from below; the exact number is rarely more than twice as large. The
+    /// number is infinite where C_q is singular.
     ///
-    /// Errors: a motion of another system.
+    /// Errors: the motion belongs to another system.
     pub fn condition(&self, motion: &Motion) -> Result<Series> {
         let values = (0..motion.len())
             .map(|k| self.condition_at(motion.q(k), motion.times()[k]))
@@ -24,10 +24,10 @@ impl System {
     /// Returns the smallest singular value of C_q at each time of a motion of this system, scaled
     /// as in [`System::condition`]. \[-\]
     ///
-    /// It shows how close the mechanism is to a singular position. It is an estimate from above,
-    /// rarely by more than a factor of 2. It is zero where C_q is singular.
+    /// The value shows how close the mechanism is to a singular position. The value is an estimate
+    /// from above, rarely more than twice the exact value. The value is zero where C_q is singular.
     ///
-    /// Errors: a motion of another system.
+    /// Errors: the motion belongs to another system.
     pub fn smallest_singular_value(&self, motion: &Motion) -> Result<Series> {
         let values = (0..motion.len())
             .map(|k| Ok(self.singular_values_at(motion.q(k), motion.times()[k])?[1]))

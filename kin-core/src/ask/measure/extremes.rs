@@ -1,4 +1,4 @@
-//! Extremes of a measure: dead centres, strokes, time ratios.
+//! Finds the extremes of a measure: dead centres, strokes, time ratios.
 
 use super::Measure;
 use super::roots::{Root, Search, Zero};
@@ -11,7 +11,10 @@ use crate::system::System;
 /// a smaller derivative at an end is zero. \[-\]
 const CLOSED: f64 = 1e-9;
 
-/// A time at which a measure has an extreme: it changes direction there, or the run ends there.
+/// A time at which a measure has an extreme: the measure changes direction, or the run begins or
+/// ends.
+///
+/// Only [`Extremes::max`] and [`Extremes::min`] return an end of the run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Extreme {
@@ -43,35 +46,38 @@ pub struct Extremes {
 const SAME_TIME: f64 = 1e-9;
 
 impl Extreme {
-    /// Returns a maximum found before, from its time and value.
+    /// Creates a maximum from its time \[s\] and value, for a maximum that you already know.
     ///
-    /// Calls that accept an extreme, such as [`crate::design::Sensitivities::extreme`], find it on
-    /// the motion by its time and kind.
+    /// Calls that accept an extreme, such as [`crate::design::Sensitivities::extreme`], find the
+    /// extreme on the motion by its time and kind.
     pub fn maximum(t: f64, value: f64) -> Extreme {
         Extreme { t, value, is_max: true }
     }
 
-    /// Returns a minimum found before, from its time and value.
+    /// Creates a minimum from its time \[s\] and value, for a minimum that you already know.
     pub fn minimum(t: f64, value: f64) -> Extreme {
         Extreme { t, value, is_max: false }
     }
 }
 
 impl System {
-    /// Returns the extremes of a measure over a motion, where its derivative is zero. Times and
-    /// values are as exact as solved poses.
+    /// Returns the extremes of a measure over a motion: the times at which the derivative of the
+    /// measure changes its sign.
     ///
-    /// For an output link these are its dead centres: `system.extremes(&motion, rocker.theta())?`.
-    /// The argument `what` is a name, a coordinate or a function of a motion ([`Measure`]).
+    /// Kin solves the pose at each extreme, so times and values have the accuracy of the solver.
     ///
-    /// The grid may be coarse. If its times do not show everything between them (a law that
-    /// returns, a crank with several revolutions), Kin solves more poses until quintic polynomials
-    /// through neighbouring poses follow the motion. It can miss oscillations below a millionth of
-    /// the measure's range. If the measure rests before it changes direction, the extreme is at the
-    /// beginning of the rest.
+    /// The extremes of the angle of an output link are its dead centres:
+    /// `system.extremes(&motion, rocker.theta())?`. The argument `what` is a name, a coordinate or
+    /// a function of a motion ([`Measure`]).
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`], more events between two times than
-    /// Kin can follow.
+    /// The grid of times may be coarse. If the motion between two times is not smooth enough (a law
+    /// that returns, a crank with several revolutions), Kin solves more poses until quintic
+    /// polynomials through neighbouring poses follow the motion. Kin can miss oscillations below a
+    /// millionth of the measure's range. If the measure rests before it changes direction, the
+    /// extreme is at the beginning of the rest.
+    ///
+    /// Errors: those of [`System::measure`] and [`System::at`]; the motion has more events between
+    /// two times than Kin can follow.
     pub fn extremes(&self, motion: &Motion, what: impl Measure) -> Result<Extremes> {
         self.own_as_it_is(motion)?;
         let fine = self.fine(motion, Some(&what))?;
@@ -117,12 +123,12 @@ impl Extremes {
         &self.all
     }
 
-    /// Returns the largest value of the motion, at an extreme or at an end of the run.
+    /// Returns the maximum with the largest value, at an extreme or at an end of the run.
     pub fn max(&self) -> Extreme {
         self.best(true, |value, other| value > other)
     }
 
-    /// Returns the smallest value of the motion, at an extreme or at an end of the run.
+    /// Returns the minimum with the smallest value, at an extreme or at an end of the run.
     pub fn min(&self) -> Extreme {
         self.best(false, |value, other| value < other)
     }
@@ -135,13 +141,14 @@ impl Extremes {
     /// Returns the time of the slower stroke divided by that of the quicker one, over one full
     /// cycle. \[-\]
     ///
-    /// The ratio is at least 1. It is `None` if the run contains no full cycle. One stroke leads
-    /// from the largest to the smallest value, the other one back; each ends where it first reaches
-    /// the value. A rest belongs to the stroke that follows it.
+    /// The ratio is at least 1. The result is `None` if the run contains no full cycle. One stroke
+    /// leads from the largest to the smallest value, the other stroke leads back. Each stroke ends
+    /// when the measure first reaches the value. A rest is part of the stroke after the rest.
     ///
-    /// The run contains a full cycle in two cases. It reaches the largest, the smallest and the
-    /// largest value again, or the reverse; an end at which the measure rests counts too. Or the
-    /// run returns to its start in value and derivative. Of several cycles the first one counts.
+    /// A run contains a full cycle in two cases. In the first case the run reaches the largest, the
+    /// smallest and again the largest value, or the reverse. An end of the run at which the measure
+    /// rests also counts as an extreme. In the second case the run returns to its start in value
+    /// and derivative. If the run contains several cycles, the result is for the first cycle.
     pub fn time_ratio(&self) -> Option<f64> {
         let [(from, _), (to, _)] = self.ends;
         let centres = self.dead_centres();

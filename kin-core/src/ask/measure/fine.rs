@@ -1,5 +1,7 @@
-//! A refined motion. Between two of its times all coordinates, and the measure, follow the quintics
-//! through values, velocities and accelerations at both ends.
+//! Refines a motion until quintic polynomials describe it between its times.
+//!
+//! The quintic polynomials go through values, velocities and accelerations of all coordinates, and
+//! of the measure, at both ends of a step.
 //!
 //! A grid of times may be coarse. Kin detects what happens between two of its times in three ways:
 //!
@@ -8,9 +10,8 @@
 //! * *Path*: the pose in the middle of a step is compared with the quintics, in value and velocity,
 //!   and no body may rotate by more than [`REACH`].
 //!
-//! Kin halves a step that fails. If the times of the grid already show everything, as in a fine
-//! grid, Kin solves no pose. It divides a step at a change point, where a motion may change to
-//! another branch.
+//! Kin halves a step that fails. If the grid of times is fine enough, Kin solves no pose. Kin
+//! divides a step at a change point, where a motion may change to another branch.
 
 pub(super) mod clock;
 pub(super) mod quintic;

@@ -1,4 +1,4 @@
-//! Measures of joints by name: `JOINT.MEASURE`.
+//! Computes measures of joints by name: `JOINT.MEASURE`.
 
 use std::f64::consts::TAU;
 

@@ -1,5 +1,5 @@
 //! Finds the kinks of equations that a run passes: the condition of an `if` changes, or `abs`,
-//! `max` or `min` changes its side.
+//! `max` or `min` changes its branch.
 
 use kin_graph::{Formula, Function, Function2, Node, Op, Results, evaluate};
 

@@ -1,4 +1,4 @@
-//! Limits of joints and ends of slots: a run reports an event when it passes one.
+//! Reports an event when a run passes the limit of a joint or the end of a slot.
 
 use super::roots::{Root, Search, Zero};
 use crate::model::error::Result;

@@ -1,7 +1,8 @@
-//! Results of a motion: measures of joints, extremes and crossings with their exact times, limits.
+//! Computes results of a motion: measures of joints, extremes and crossings with their exact times,
+//! limits.
 //!
 //! A measure is any number over time: a name, a coordinate, or a function of a motion. For a time
-//! between those of the grid Kin solves the pose; it does not interpolate.
+//! between two times of the grid Kin solves the pose and does not interpolate.
 
 mod assemblies;
 mod between;
@@ -27,11 +28,11 @@ use crate::model::layout::Place;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 
-/// A number over time that a motion determines.
+/// A quantity over time that a motion determines.
 ///
-/// It is a name (`"slot.slide"` of a joint, `"crank.theta"` of a coordinate; also a `String`), a
-/// coordinate (`crank.theta()`), or a function such as `|m: &Motion| m.transmission_angle(coupler,
-/// rocker)`.
+/// A measure is a name (`"slot.slide"` of a joint, `"crank.theta"` of a coordinate; also a
+/// `String`), a coordinate (`crank.theta()`), or a function such as
+/// `|m: &Motion| m.transmission_angle(coupler, rocker)`.
 pub trait Measure {
     /// Returns the measure over the times of a motion of the system, with its derivatives.
     fn of(&self, system: &System, motion: &Motion) -> Result<Quantity>;
@@ -103,11 +104,12 @@ impl System {
     /// The argument `what` is the name of a measure of a joint or of a coordinate (`"slot.slide"`,
     /// `"crank.theta"`), a coordinate, or a function of a motion.
     ///
-    /// Angles of joints start between −π and π and count any number of revolutions. For this the
-    /// grid must be fine enough: an angular velocity may not change by a revolution per step within
-    /// a step.
+    /// An angle of a joint starts between −π and π and counts full revolutions from there. To count
+    /// revolutions, Kin needs a fine enough grid: within a step the angular velocity must change by
+    /// less than one revolution per step.
     ///
-    /// Errors: a name that nothing has, with the available names; a motion of another system.
+    /// Errors: no joint or coordinate has the name (the error lists the available names); the
+    /// motion belongs to another system.
     pub fn measure(&self, motion: &Motion, what: impl Measure) -> Result<Quantity> {
         self.own(motion)?;
         what.of(self, motion)

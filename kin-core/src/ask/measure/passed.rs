@@ -1,4 +1,4 @@
-//! The times at which a series passes a value.
+//! Finds the times at which a series passes a value.
 
 use super::Crossing;
 use crate::model::motion::Series;
@@ -7,9 +7,9 @@ impl Series {
     /// Returns the times at which the series passes a value, by linear interpolation between its
     /// times.
     ///
-    /// Use it for the time at which a drive begins to brake, or at which a pin lifts. For measures
-    /// [`crate::System::crossings`] is exact. If the series reaches the value and returns to the
-    /// same side, it does not pass the value.
+    /// Use this function for the time at which a drive begins to brake, or at which a pin lifts.
+    /// For a measure use [`crate::System::crossings`], which solves poses instead of interpolating.
+    /// A series that reaches the value and returns to the same side does not pass the value.
     pub fn crossings(&self, value: f64) -> Vec<Crossing> {
         let times = self.times();
         let mut all = Vec::new();

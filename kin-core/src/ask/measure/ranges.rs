@@ -1,5 +1,6 @@
-//! Reports an event when a run evaluates a law beyond its table. A law that holds its last value,
-//! such as a sequence that comes to rest, is not reported.
+//! Reports an event when a run evaluates a law beyond its table.
+//!
+//! Kin does not report a law that holds its last value, such as a sequence that comes to rest.
 
 use crate::model::law::LawRange;
 use crate::solve::motion::{Event, EventKind, Motion};

@@ -30,7 +30,7 @@ const STEPS: usize = 100;
 pub struct Crossing {
     /// The time. \[s\]
     pub t: f64,
-    /// True if x is below the value before this time and above it after.
+    /// True if the quantity is below the value before this time and above the value after it.
     pub rises: bool,
 }
 
@@ -237,14 +237,15 @@ fn is_flat(zero: End, from: End, to: End) -> bool {
 
 impl System {
     /// Returns the times at which a measure of a motion passes a value, in the order of the motion.
-    /// They are as exact as solved poses.
+    ///
+    /// Kin solves the pose at each crossing, so the times have the accuracy of the solver.
     ///
     /// The argument `what` is a name, a coordinate or a function of a motion ([`Measure`]). The
-    /// grid may be coarse: if its times do not show everything between them, Kin solves more poses
-    /// (see [`System::extremes`]).
+    /// grid of times may be coarse: if necessary, Kin solves more poses between two times, as
+    /// [`System::extremes`] does.
     ///
-    /// Errors: those of [`System::measure`] and [`System::at`], more events between two times than
-    /// Kin can follow.
+    /// Errors: those of [`System::measure`] and [`System::at`]; the motion has more events between
+    /// two times than Kin can follow.
     pub fn crossings(
         &self,
         motion: &Motion,

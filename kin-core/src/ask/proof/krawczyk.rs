@@ -1,5 +1,5 @@
-//! Krawczyk's test shows that there is exactly one solution near an approximate position, for every
-//! time of an interval.
+//! Shows by Krawczyk's test that exactly one solution exists near an approximate position, for
+//! every time of an interval.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,7 +11,7 @@ use crate::numbers::enclosure::interval::{Interval, ONE, ZERO, down, up};
 pub(super) struct Around {
     /// The solution is within this distance.
     pub inner: Vec<f64>,
-    /// There is no other solution within this distance.
+    /// No other solution exists within this distance.
     pub outer: Vec<f64>,
 }
 

@@ -1,5 +1,5 @@
-//! The proof of one step of a motion: pieces for which Krawczyk's test holds, joined to one another
-//! and to both computed positions.
+//! Proves one step of a motion: pieces that pass Krawczyk's test, joined to one another and to both
+//! computed positions.
 
 use super::bounds::{Bounds, taylor};
 use super::krawczyk::{Around, Fault, Piece, Test};

@@ -1,4 +1,4 @@
-//! A number of a mechanism file, which can be an expression.
+//! Defines a number of a mechanism file, which can be an expression.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! The numbers of a mechanism that depend on dimensions, as its file contains them.
+//! Writes the numbers of a mechanism that depend on dimensions, in the form of a mechanism file.
 
 use serde_json::{Map, Value};
 

@@ -1,4 +1,4 @@
-//! The format of loads in mechanism files.
+//! Defines the format of loads in mechanism files.
 
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
@@ -7,7 +7,7 @@ use crate::data::dimensions::NumberData;
 use crate::data::format::ArgumentData;
 use crate::data::once;
 
-/// A load: parts that act together under one name.
+/// A load: one or more parts that act together under one name.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 #[non_exhaustive]
@@ -39,14 +39,15 @@ pub enum ActingData {
         /// The point in the frame of the body; z is 0 in a plane.
         #[serde(default = "at_origin")]
         point: [NumberData; 3],
-        /// The components of the force, as laws of time; absent for no force.
+        /// The components of the force, as laws of time; absent if the load has no force.
         #[serde(
             default,
             skip_serializing_if = "Option::is_none",
             deserialize_with = "once::three"
         )]
         force: Option<Box<[Value; 3]>>,
-        /// The components of the torque; in a plane only the last one counts.
+        /// The components of the torque, as laws of time; a planar body uses only the last
+        /// component.
         #[serde(
             default,
             skip_serializing_if = "Option::is_none",
@@ -139,7 +140,7 @@ pub struct FrictionData {
     pub joint: String,
     /// The coefficient of friction.
     pub coefficient: NumberData,
-    /// The slip velocity at which the friction has three quarters of its full size.
+    /// The slip velocity v₀ or ω₀, at which the friction has three quarters of its full size.
     pub rate: NumberData,
     /// The geometry: a pin or a slide.
     #[serde(flatten)]

@@ -1,5 +1,5 @@
-//! Loads as data: energies, forces along a length or an angle, forces on a body, friction in
-//! joints, points with mass.
+//! Reads and writes loads as data: energies, forces along a length or an angle, forces on a body,
+//! friction in joints, points with mass.
 
 use serde_json::Value;
 
@@ -216,10 +216,12 @@ impl Mechanism {
         loads.iter().try_for_each(|load| self.add_load_data(load, registry))
     }
 
-    /// Adds a load from data to bodies of this mechanism. The registry creates it.
+    /// Adds a load from data to bodies of this mechanism.
     ///
-    /// Errors: an unknown kind, a body or parameter that is missing or of another kind, no parts,
-    /// and those of [`Mechanism::load`].
+    /// The registry creates the parts of the load.
+    ///
+    /// Errors: the kind is unknown; a body or parameter is missing or of another kind; the load has
+    /// no parts; those of [`Mechanism::load`].
     pub fn add_load_data(
         &mut self,
         LoadData { name, parts }: &LoadData,

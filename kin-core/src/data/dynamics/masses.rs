@@ -1,4 +1,4 @@
-//! Masses and gravity as data.
+//! Reads and writes masses and gravity as data.
 
 use serde::{Deserialize, Serialize};
 
@@ -21,8 +21,8 @@ pub struct MassData {
     pub mass: NumberData,
     /// The centre of mass in the frame of the body; z is 0 in a plane.
     pub centre: [NumberData; 3],
-    /// The inertia about the centre in the axes of the body, by rows; in a plane only the last
-    /// number counts.
+    /// The inertia about the centre of mass in the axes of the body, by rows; a planar body uses
+    /// only the last number.
     pub inertia: [[NumberData; 3]; 3],
 }
 

@@ -1,4 +1,4 @@
-//! Masses, gravity, loads and friction in mechanism files.
+//! Reads and writes masses, gravity, loads and friction in mechanism files.
 
 mod format;
 mod loads;

@@ -1,5 +1,5 @@
-//! The deviation of a measure for dimensions with tolerances: the linear stack with its
-//! second-order term, the mechanism itself at the worst corners, samples, and a proof.
+//! Computes the deviation of a measure for dimensions with tolerances: linear and second-order
+//! tolerance stacks, the mechanism at the worst corners, samples, and a proof.
 
 mod proved;
 mod samples;
@@ -24,7 +24,8 @@ use crate::solve::motion::Motion;
 use crate::system::System;
 use source::{Source, sources};
 
-/// The deviation of a measure, and the share of each dimension.
+/// The deviation of a measure within the tolerances of the dimensions, and the share of each
+/// dimension.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Tolerance {
@@ -34,25 +35,26 @@ pub struct Tolerance {
     pub unit: String,
     /// The feature of the measure.
     pub feature: Feature,
-    /// The time; for a stroke that of the largest value. \[s\]
+    /// The time of the feature; for a stroke, the time of the largest value. \[s\]
     pub t: f64,
-    /// The value at the nominal dimensions.
+    /// The value of the feature at the nominal dimensions. \[unit of the measure\]
     pub nominal: f64,
     /// The shares of the dimensions, the largest first.
     pub contributions: Vec<Contribution>,
-    /// The smallest and the largest value of the mechanism itself in the box of tolerances, among
-    /// the places that Kin tested.
+    /// The smallest and the largest value of the feature at the tested points of the box of
+    /// tolerances. \[unit of the measure\]
     ///
-    /// Kin tests the centre, corners, and places where the second order has an extreme on a face or
-    /// inside ([`Searched`]). Both are `None` if the mechanism cannot be assembled at one of these
-    /// places; then there is no worst case.
+    /// Kin computes the mechanism at the centre, at corners, and at points on faces or inside the
+    /// box where the second-order term suggests an extreme ([`Searched`]). Both values are `None`
+    /// if the mechanism cannot be assembled at a tested point, because no worst case exists.
     pub corners: [Option<f64>; 2],
-    /// Where in the box the mechanism was looked at, and where it is worst.
+    /// The points of the box at which Kin computed the mechanism, and the worst points.
     pub searched: Searched,
-    /// The second-order term; `None` where the mechanism cannot be assembled beside its dimensions.
+    /// The second-order term; `None` if the mechanism cannot be assembled near its nominal
+    /// dimensions.
     pub second_order: Option<SecondOrder>,
     /// Bounds over all mechanisms within the tolerances; `None` unless [`System::tolerance_proved`]
-    /// was called.
+    /// computed the result.
     pub proved: Option<Proved>,
     units: Units,
 }
@@ -68,10 +70,10 @@ impl System {
     /// worst case  Σ |s_i| T_i        RSS  √(Σ s_i² T_i²)        σ = √(Σ s_i² σ_i²)
     /// ```
     ///
-    /// (E. J. Haug, *Computer Aided Kinematics and Dynamics*, 1989, for the derivatives.) The
-    /// result also contains the second-order term ([`SecondOrder`]) and the mechanism at the worst
-    /// combinations of deviations ([`Tolerance::corners`]). A clearance counts as one dimension: T
-    /// is its radius, and s the length of the gradient by its two parts.
+    /// Source of the derivatives: E. J. Haug, *Computer Aided Kinematics and Dynamics*, 1989. The
+    /// result also contains the second-order term ([`SecondOrder`]) and the values at the worst
+    /// combinations of deviations ([`Tolerance::corners`]). Kin treats a clearance as one
+    /// dimension: T is its radius, and s is the length of the gradient by its two components.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -112,8 +114,8 @@ impl System {
 
     /// Computes the deviation of one feature of a measure over the motion ([`Feature`]).
     ///
-    /// A feature is the value at a time (`0.5`), an extreme at any time to which it moves
-    /// (`extremes.max()`), or the stroke (`&extremes`).
+    /// A feature is the value at a time (`0.5`), the value of an extreme (`extremes.max()`), or the
+    /// stroke (`&extremes`). The time of an extreme may change with the dimensions.
     ///
     /// Errors: those of [`System::tolerance`] and [`System::at`].
     pub fn tolerance_of(
@@ -127,15 +129,19 @@ impl System {
 
     /// Computes the deviation of one feature with proved bounds ([`Tolerance::proved`]).
     ///
-    /// The bounds come from interval arithmetic and hold for every mechanism whose dimensions are
-    /// within their tolerances. Kin shows that each of them can be assembled on the branch of the
-    /// motion. It bisects until the bounds are within about half a per cent of an attained value,
-    /// or improve no further.
+    /// Kin computes the bounds by interval arithmetic. The bounds are valid for every mechanism
+    /// whose dimensions are within their tolerances. Kin proves that each of these mechanisms can
+    /// be assembled on the branch of the motion. Kin bisects the box of tolerances until the bounds
+    /// are within about half a per cent of an attained value, or improve no further.
     ///
-    /// Errors: those of [`System::tolerance_of`]; [`crate::Error::CannotBeProved`] if a mechanism
-    /// in the box may not be assembled, with its dimensions, or if something has no known bounds:
-    /// measures that are no coordinates, laws whose coefficients have a tolerance, and what
-    /// [`System::prove`] refuses.
+    /// Errors: those of [`System::tolerance_of`], and [`crate::Error::CannotBeProved`] in these
+    /// cases:
+    ///
+    /// * Kin cannot prove that a mechanism in the box can be assembled (the error contains its
+    ///   dimensions);
+    /// * the measure is not a coordinate;
+    /// * a coefficient of a law has a tolerance;
+    /// * [`System::prove`] does not support the mechanism.
     pub fn tolerance_proved(
         &self,
         motion: &Motion,
@@ -204,16 +210,16 @@ impl Tolerance {
     /// Returns Σ |s_i| T_i, the worst case of all dimensions to first order. \[unit of the
     /// measure\]
     ///
-    /// It is meaningless where slopes vanish or a part of the box cannot be assembled; see
-    /// [`Tolerance::attained`].
+    /// This worst case is meaningless if the derivatives s_i are zero, or if the mechanism cannot
+    /// be assembled in a part of the box. In these cases use [`Tolerance::attained`].
     pub fn worst_case(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().abs()).sum()
     }
 
-    /// Returns √(Σ s_i² T_i²). \[unit of the measure\]
+    /// Returns √(Σ s_i² T_i²), the root sum of squares of the deviations. \[unit of the measure\]
     ///
-    /// The measure exceeds this deviation as often as each dimension exceeds its tolerance, if the
-    /// dimensions are independent and normal.
+    /// If the dimensions are independent and normal, the measure exceeds this deviation as often as
+    /// each dimension exceeds its tolerance.
     pub fn rss(&self) -> f64 {
         self.contributions.iter().map(|one| one.off().powi(2)).sum::<f64>().sqrt()
     }
@@ -224,20 +230,22 @@ impl Tolerance {
         self.contributions.iter().map(|one| one.sigma().powi(2)).sum::<f64>().sqrt()
     }
 
-    /// Returns |s_i| T_i / Σ |s_j| T_j of a contribution, or 0 if nothing deviates. \[-\]
+    /// Returns |s_i| T_i / Σ |s_j| T_j, the share of a contribution in the worst case, or 0 if all
+    /// deviations are zero. \[-\]
     pub fn share(&self, one: &Contribution) -> f64 {
         share(one.off().abs(), self.worst_case())
     }
 
-    /// Returns s_i² σ_i² / Σ s_j² σ_j² of a contribution, or 0 if nothing deviates. \[-\]
+    /// Returns s_i² σ_i² / Σ s_j² σ_j², the share of a contribution in the variance, or 0 if all
+    /// deviations are zero. \[-\]
     pub fn share_of_variance(&self, one: &Contribution) -> f64 {
         share(one.sigma().powi(2), self.sigma().powi(2))
     }
 
-    /// Returns the largest |value − nominal| of the mechanism itself at the tested places. \[unit
-    /// of the measure\]
+    /// Returns the largest |value − nominal| of the feature at the tested points of the box of
+    /// tolerances. \[unit of the measure\]
     ///
-    /// Returns `None` if a part of the box cannot be assembled.
+    /// Returns `None` if the mechanism cannot be assembled at a tested point.
     pub fn attained(&self) -> Option<f64> {
         let [low, high] =
             self.corners.map(|corner| corner.map(|value| (value - self.nominal).abs()));
@@ -247,8 +255,9 @@ impl Tolerance {
     /// Returns the difference of the attained deviation from the linear stack, as a share of the
     /// stack. \[-\]
     ///
-    /// It is negative if both worst places deviate less than the stack. Returns `None` if a part of
-    /// the box cannot be assembled, or if all slopes are zero.
+    /// The result is negative if the attained deviation is smaller than the linear stack. Returns
+    /// `None` if the mechanism cannot be assembled at a tested point, or if all derivatives are
+    /// zero.
     pub fn misled(&self) -> Option<f64> {
         Some(self.attained()? / self.worst_case() - 1.0).filter(|share| share.is_finite())
     }

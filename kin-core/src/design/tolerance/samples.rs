@@ -1,4 +1,4 @@
-//! A measure in many mechanisms with random deviations of their dimensions (Monte Carlo).
+//! Computes a measure in many mechanisms with random deviations of their dimensions (Monte Carlo).
 
 use std::fmt;
 
@@ -25,15 +25,16 @@ const REACH: f64 = 2.0;
 /// The number of steps towards a sample that cannot be assembled at once.
 const WALK: u32 = 8;
 
-/// The number of mechanisms, and the distribution of their dimensions.
+/// The number of mechanisms, the seed of the random numbers, and the distribution of the
+/// dimensions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sampling {
     /// The number of samples.
     pub count: usize,
-    /// The seed. The same seed gives the same samples, on every machine and with any number of
-    /// cores.
+    /// The seed of the random numbers. The same seed gives the same samples, on every machine and
+    /// with any number of cores.
     pub seed: u64,
-    /// The distribution of dimensions without a distribution.
+    /// The distribution of the dimensions to which the mechanism assigns no distribution.
     pub distribution: Distribution,
 }
 
@@ -44,7 +45,7 @@ impl Default for Sampling {
     }
 }
 
-/// A measure in many mechanisms with random deviations of their dimensions.
+/// The values of a measure in many mechanisms with random deviations of their dimensions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Samples {
     name: String,
@@ -58,12 +59,12 @@ impl System {
     /// Computes a feature of a measure ([`System::tolerance_of`]) in many mechanisms with random
     /// deviations of their dimensions.
     ///
-    /// Each dimension has its distribution and is independent of the others. The result also counts
-    /// the mechanisms that cannot be assembled. The computation uses the lanes and cores of a
-    /// sweep. A mechanism that can be assembled only beyond a singular position, on another branch,
-    /// counts as one that cannot be assembled.
+    /// Each dimension has its distribution and is independent of the other dimensions. The result
+    /// also counts the mechanisms that cannot be assembled. Kin computes the samples as a sweep, in
+    /// SIMD lanes and on all cores. If a mechanism can be assembled only on another branch, beyond
+    /// a singular position, Kin counts the mechanism as one that cannot be assembled.
     ///
-    /// Errors: those of [`System::tolerance_of`], no samples or too many.
+    /// Errors: those of [`System::tolerance_of`]; the number of samples is zero or too large.
     pub fn samples(
         &self,
         motion: &Motion,
@@ -255,7 +256,7 @@ impl Samples {
         &self.unit
     }
 
-    /// Returns the number of mechanisms and their distribution.
+    /// Returns the number of samples, the seed, and the distribution of dimensions.
     pub fn sampling(&self) -> &Sampling {
         &self.sampling
     }
@@ -276,14 +277,14 @@ impl Samples {
         self.missing() as f64 / self.sampling.count as f64
     }
 
-    /// Returns the mean over the mechanisms that can be assembled, or NaN if there are none. \[unit
-    /// of the measure\]
+    /// Returns the mean over the mechanisms that can be assembled, or NaN if no mechanism can be
+    /// assembled. \[unit of the measure\]
     pub fn mean(&self) -> f64 {
         self.values.iter().sum::<f64>() / self.values.len() as f64
     }
 
-    /// Returns the standard deviation over the mechanisms that can be assembled, or NaN if there
-    /// are fewer than two. \[unit of the measure\]
+    /// Returns the standard deviation over the mechanisms that can be assembled, or NaN if fewer
+    /// than two can be assembled. \[unit of the measure\]
     pub fn sigma(&self) -> f64 {
         let mean = self.mean();
         let n = self.values.len() as f64;
@@ -292,9 +293,9 @@ impl Samples {
     }
 
     /// Returns the value below which a share `p` of the assembled mechanisms is, interpolated
-    /// between two of them. \[unit of the measure\]
+    /// between two samples. \[unit of the measure\]
     ///
-    /// It is NaN if there are none, or if p is not between 0 and 1.
+    /// The result is NaN if no mechanism can be assembled, or if p is not between 0 and 1.
     pub fn quantile(&self, p: f64) -> f64 {
         let Some(last) = self.values.len().checked_sub(1).filter(|_| (0.0..=1.0).contains(&p))
         else {

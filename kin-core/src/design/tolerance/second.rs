@@ -1,4 +1,4 @@
-//! The second-order term of a stack of tolerances.
+//! Computes the second-order term of a stack of tolerances.
 
 use super::super::feature::Followed;
 use super::source::Source;
@@ -9,29 +9,30 @@ use crate::model::error::Result;
 /// measure, and rounding of the gradients stays below 1e-12 of the linear stack. \[-\]
 const STEP: f64 = 1.0 / 64.0;
 
-/// The second-order term of a stack of tolerances. H contains the second derivatives of the measure
-/// by the dimensions:
+/// The second-order term of a stack of tolerances.
+///
+/// The matrix H contains the second derivatives of the measure by the dimensions:
 ///
 /// ```text
 /// mean shift  ½ Σ H_ii σ_i²
 /// variance    Σ s_i² σ_i² + ¼ Σ H_ii² (μ4_i − σ_i⁴) + ½ Σ_(i≠j) H_ij² σ_i² σ_j²
 /// ```
 ///
-/// The formulas hold for independent dimensions with symmetric distributions; σ_i² and μ4_i are the
-/// second and fourth moments. The two parts of a disc are not independent, so Kin uses the moments
-/// of both together. H comes from differences of the exact gradient with Richardson extrapolation,
-/// to about 1e-9.
+/// The formulas are valid for independent dimensions with symmetric distributions; σ_i² and μ4_i
+/// are the second and fourth moments. The two components of a disc are not independent, so Kin uses
+/// their joint moments. Kin computes H from differences of the exact gradient with Richardson
+/// extrapolation, to about nine correct digits.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SecondOrder {
-    /// The dimensions of the rows and columns of H: those with a tolerance, and both of each
-    /// clearance.
+    /// The dimensions of the rows and columns of H: the dimensions with a tolerance, and both
+    /// dimensions of each clearance.
     pub names: Vec<String>,
     /// H, symmetric, row by row. \[unit of the measure per unit of both dimensions\]
     pub hessian: Vec<Vec<f64>>,
-    /// The difference of the mean from the nominal value. \[unit of the measure\]
+    /// The mean of the measure minus its nominal value. \[unit of the measure\]
     pub mean_shift: f64,
-    /// The standard deviation.   \[unit of the measure\]
+    /// The standard deviation of the measure. \[unit of the measure\]
     pub sigma: f64,
 }
 

@@ -1,4 +1,4 @@
-//! A source of error: a dimension, or the two dimensions of a clearance.
+//! Describes a source of deviation: a dimension, or the two dimensions of a clearance.
 
 use crate::model::dimension::Distribution;
 use crate::system::dimensions::Toleranced;
@@ -24,8 +24,8 @@ pub struct Contribution {
     pub tolerance: f64,
     /// The distribution of the dimension.
     pub distribution: Distribution,
-    /// The derivative s of the measure by the dimension; for a clearance by a play in the worst
-    /// direction.
+    /// The derivative s of the measure by the dimension; for a clearance, the derivative by the
+    /// play in the worst direction.
     pub slope: f64,
 }
 
@@ -35,7 +35,7 @@ impl Contribution {
         self.slope * self.tolerance
     }
 
-    /// Returns |s| σ: the standard deviation of the measure if nothing else deviates.
+    /// Returns |s| σ: the standard deviation of the measure if no other dimension deviates.
     pub fn sigma(&self) -> f64 {
         self.slope.abs() * self.distribution.sigma(self.tolerance)
     }

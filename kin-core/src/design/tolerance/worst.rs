@@ -1,5 +1,7 @@
-//! Finds the worst places in the box of tolerances: its corners, and places on faces and inside
-//! where the second order has an extreme.
+//! Finds the worst points in the box of tolerances.
+//!
+//! Kin tests corners of the box, and points on faces and inside the box where the second-order term
+//! suggests an extreme.
 
 use super::super::feature::Followed;
 use super::second::SecondOrder;
@@ -25,11 +27,11 @@ const STARTS: usize = 8;
 /// The largest number of steps from a worst place to a worse one, by the derivatives there.
 const STEPS: usize = 12;
 
-/// The deviation of one dimension.
+/// The deviation of one dimension from its nominal value.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Off {
-    /// The dimension; for a clearance one of its two.
+    /// The name of the dimension, or of one of the two dimensions of a clearance.
     pub name: String,
     /// The difference from the nominal value. \[unit of the dimension\]
     pub by: f64,
@@ -39,20 +41,20 @@ pub struct Off {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Searched {
-    /// The number of corners. For a clearance each direction counts.
+    /// The number of tested corners. Each tested direction of a clearance counts as a corner.
     pub corners: usize,
-    /// True if all corners were tested, with eight directions for each clearance. Otherwise Kin
-    /// tested the corners that the derivatives and the second order suggest, and those that follow
-    /// by changes of one dimension.
+    /// True if Kin tested all corners, with eight directions for each clearance. If false, Kin
+    /// tested the corners that the derivatives and the second-order term suggest, and their
+    /// neighbours, which differ in one dimension.
     pub all_corners: bool,
-    /// The number of places on faces and inside.
+    /// The number of tested points on faces and inside the box.
     pub inside: usize,
-    /// The place with the smallest value; empty for the centre.
+    /// The tested point with the smallest value; empty if this point is the centre of the box.
     pub lowest: Vec<Off>,
-    /// The place with the largest value; empty for the centre.
+    /// The tested point with the largest value; empty if this point is the centre of the box.
     pub highest: Vec<Off>,
-    /// A place at which the mechanism cannot be assembled; `None` if it can be assembled at all
-    /// tested places.
+    /// A tested point at which the mechanism cannot be assembled; `None` if the mechanism can be
+    /// assembled at all tested points.
     pub unassembled: Option<Vec<Off>>,
 }
 

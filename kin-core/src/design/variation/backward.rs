@@ -1,4 +1,4 @@
-//! The gradient of one number by all names, as outputs of a tape.
+//! Writes the gradient of one number by all requested names as outputs of a tape.
 
 use kin_graph::differentiate::{Jet, Jets};
 use kin_graph::{Function, Graph, Input, Node};

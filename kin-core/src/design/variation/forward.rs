@@ -1,8 +1,8 @@
-//! q_p, q̇_p and q̈_p of each name, as outputs of a tape.
+//! Writes q_p, q̇_p and q̈_p of each requested name as outputs of a tape.
 //!
 //! With δ = q_p the variation of C by p is C_q δ + C_p, which is zero at all times. C_q δ is the
-//! tangent of C along δ, and Kin differentiates it by time directly. This needs none of the many
-//! entries of C_q.
+//! tangent of C along δ, and Kin differentiates this tangent by time directly. So Kin does not need
+//! the many entries of C_q.
 
 use kin_graph::differentiate::{Jet, Jets};
 use kin_graph::{Graph, Input, Node};

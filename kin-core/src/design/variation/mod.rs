@@ -1,12 +1,12 @@
-//! Derivatives of a motion by parameters as one tape of the whole mechanism, replayed over several
+//! Computes derivatives of a motion by parameters with one tape of the whole mechanism, for several
 //! times of the motion at once.
 //!
-//! The position and its derivatives are known, so nothing is iterated. C_q, C_p and their time
-//! derivatives are nodes of coordinates and velocities (`nodes.rs`); points of a rotating body
-//! share their sums (`turns.rs`). The elimination of C_q has an order that is chosen at one time of
-//! the motion. The outputs are the derivatives (`forward.rs`), or one sum of them (`backward.rs`).
-//! A time at which a pivot is small relative to its value at that time is computed by `along.rs`,
-//! equation by equation.
+//! The position and its derivatives are known, so the tape needs no iteration. C_q, C_p and their
+//! time derivatives are nodes of coordinates and velocities (`nodes.rs`); points of a rotating body
+//! share their sums (`turns.rs`). Kin chooses the order of the elimination of C_q at one time of
+//! the motion. The outputs are the derivatives (`forward.rs`), or one sum of the derivatives
+//! (`backward.rs`). If a pivot at some time is small relative to the pivot at the chosen time,
+//! `along.rs` computes this time equation by equation.
 
 use crate::solve::motion::Motion;
 

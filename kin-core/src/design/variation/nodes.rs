@@ -1,5 +1,5 @@
-//! All equations of a system as nodes of one graph, with their derivatives by coordinates and by
-//! the requested names.
+//! Builds one graph of all equations of a system, with their derivatives by coordinates and by the
+//! requested names.
 
 use kin_graph::{Graph, Input, Node};
 

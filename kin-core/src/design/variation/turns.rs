@@ -1,10 +1,11 @@
 //! Lets the points of a rotating body share their operands.
 //!
 //! For one point the cheapest form of A u is e0 (e0 u + e × u) + e (e · u). If a body has several
-//! points, and each is differentiated, computing A once is cheaper. A quadratic form in the four
-//! Euler parameters of a body becomes Σ c (±e_a e_b ±e_c e_d …), with terms of equal coefficients
-//! together; these sums are the same nodes for all points. Only homogeneous forms are changed.
-//! Since |p| = 1, their terms are of the size of the coefficients, so nothing cancels.
+//! points and Kin differentiates each point, computing A once is cheaper. Kin writes a quadratic
+//! form in the four Euler parameters of a body as Σ c (±e_a e_b ±e_c e_d …), with terms of equal
+//! coefficients together. The sums in parentheses are the same nodes for all points. Kin changes
+//! only homogeneous forms. Since |p| = 1, the terms of a homogeneous form are of the size of the
+//! coefficients, so rounding errors remain small.
 
 use kin_graph::{Graph, Input, Node, Op};
 

@@ -1,5 +1,5 @@
-//! Lengths and angles along which forces act: the row of a constraint, a measure of a joint, a
-//! coordinate.
+//! Evaluates lengths and angles along which forces act: the row of a constraint, a measure of a
+//! joint, a coordinate.
 
 use std::f64::consts::TAU;
 

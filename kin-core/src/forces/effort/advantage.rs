@@ -1,4 +1,4 @@
-//! Mechanical advantage, from virtual power.
+//! Computes the mechanical advantage from virtual power.
 
 use nalgebra::DVector;
 
@@ -18,10 +18,10 @@ impl System {
     /// Returns the mechanical advantage of an output over a driver at each time of a motion. \[-,
     /// 1/m, m\]
     ///
-    /// It is df/dx by virtual power, with all other drivers at rest: the force or torque along the
-    /// output x for a unit of the driver's effort. It is positive if x grows with the law f of the
-    /// driver. Masses, loads and friction are not included. At a dead centre of the output it is
-    /// infinite.
+    /// The mechanical advantage is the force or torque along the output x for a unit of the
+    /// driver's effort. Kin computes df/dx, where f is the law of the driver and all other drivers
+    /// are at rest. The result is positive if x grows with f. Kin ignores masses, loads and
+    /// friction. At a dead centre of the output the mechanical advantage is infinite.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -47,10 +47,10 @@ impl System {
     /// # }
     /// ```
     ///
-    /// The output is any [`Measure`].
+    /// The output can be any [`Measure`].
     ///
-    /// Errors: a name that no driver has, a driver of several rows, a driver that redundant
-    /// equations do not allow to move alone; those of [`System::measure`]; a singular position.
+    /// Errors: no driver has the name; the driver has several rows; redundant equations prevent the
+    /// driver from moving alone; the motion has a singular position; those of [`System::measure`].
     pub fn mechanical_advantage(
         &self,
         motion: &Motion,

@@ -1,4 +1,4 @@
-//! Multipliers along the laws of a driver: λ · ∂C/∂f of each.
+//! Computes the effort λ · ∂C/∂f of each law of a driver.
 
 use crate::forces::Forces;
 use crate::model::formula::jerk::Along;

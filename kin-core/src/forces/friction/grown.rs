@@ -1,16 +1,16 @@
-//! Newton's method on the normal forces of all contacts, while friction grows from zero to its full
-//! size.
+//! Solves for the normal forces of all contacts by Newton's method, while friction grows from zero
+//! to its full size.
 //!
-//! With a share s of friction the normal forces satisfy X = X₀ + s A(X). A is positively
-//! homogeneous: twice the forces make twice the friction. So X = Y/w with
+//! With a share s of friction the normal forces satisfy X = X₀ + s A(X). The function A is
+//! positively homogeneous: twice the forces cause twice the friction. So X = Y/w with
 //!
 //! ```text
 //! Y − w X₀ − s A(Y) = 0,   |Y|² + w² = 1,
 //! ```
 //!
-//! This curve stays bounded where X does not: the forces grow without bound as w falls to zero.
-//! Below zero every push would be a pull. Kin follows the curve from s = 0, where it is the
-//! solution without friction.
+//! Y remains bounded where X does not: the forces X grow without bound as w falls to zero. If w is
+//! negative, every push would be a pull. Kin follows the curve from s = 0, where the curve gives
+//! the solution without friction.
 
 use std::ops::Range;
 

@@ -1,9 +1,10 @@
-//! Dry friction: friction depends on reactions, and reactions on friction.
+//! Computes dry friction, which depends on the reactions of joints, while the reactions depend on
+//! friction.
 //!
 //! The normal forces N of all contacts depend linearly on the amounts f of friction: N = N₀ + Σ f_e
-//! N_e. N_e are the normal forces for one unit of friction in joint e; one transposed solve with
-//! the existing elimination computes them. f depends on N by Coulomb's law. So Newton's method
-//! needs only the few normal forces as unknowns (`grown.rs`).
+//! N_e. N_e are the normal forces for one unit of friction in joint e; Kin computes N_e by one
+//! transposed solve with the existing elimination. Coulomb's law gives f as a function of N. So
+//! Newton's method needs only the few normal forces as unknowns (`grown.rs`).
 
 mod grown;
 mod rubbing;

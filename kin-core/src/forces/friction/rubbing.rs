@@ -1,4 +1,5 @@
-//! The friction of one joint at one time: where it acts, and the normal forces at its contacts.
+//! Computes the friction of one joint at one time: where friction acts, and the normal forces at
+//! the contacts.
 
 use super::super::acting::Now;
 use super::super::body::generalised;

@@ -1,4 +1,4 @@
-//! The path of a motion towards one of its singular positions, and the forces along it.
+//! Computes the path of a motion towards a singular position, and the forces along the path.
 
 use super::super::acting::Now;
 use super::super::multipliers::TransposedSolver;

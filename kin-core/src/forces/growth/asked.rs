@@ -1,4 +1,4 @@
-//! The growth of forces near singular positions.
+//! Returns the growth of forces near singular positions.
 
 use super::super::acting::Beside;
 use super::super::calls::Forces;
@@ -12,8 +12,9 @@ impl Forces<'_> {
     /// motion, with the time t* and the exponent of |t − t*|.
     ///
     /// The singular positions ([`crate::Motion::singular_positions`]) are the toggle that ended the
-    /// motion and the change points that it passed. Drivers are among the constraints. Kin computes
-    /// the forces again at some places near the singular position, without friction.
+    /// motion and the change points that the motion passed. The list of constraints includes
+    /// drivers. Kin computes the forces without friction at several positions near each singular
+    /// position.
     ///
     /// ```
     /// # use kin::prelude::*;

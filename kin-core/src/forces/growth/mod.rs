@@ -1,10 +1,10 @@
-//! The growth of forces near singular positions, where C_qᵀ λ = Q has no solution.
+//! Computes the growth of forces near singular positions, where C_qᵀ λ = Q has no solution.
 //!
-//! Near such a position the smallest singular value of C_q is proportional to the distance s along
-//! the path. |t − t*| is proportional to s² at a toggle and to s at a change point. So forces grow
-//! as a power of |t − t*|. The exponent is −1 at a change point. At a toggle it is −½ for loads at
-//! rest and −2 for masses, whose accelerations have no bound there. Kin determines exponents from
-//! forces along the path, for any mechanism.
+//! Near a singular position the smallest singular value of C_q is proportional to the distance s
+//! along the path. The time |t − t*| is proportional to s² at a toggle and to s at a change point.
+//! So forces grow as a power of |t − t*|. The exponent is −1 at a change point. At a toggle the
+//! exponent is −½ for loads at rest and −2 for masses, because accelerations have no bound at a
+//! toggle. Kin determines the exponent from forces along the path, for any mechanism.
 
 mod approach;
 mod asked;

@@ -1,4 +1,5 @@
-//! Everything except constraints as nodes: inertial forces, weight, loads, energies and powers.
+//! Builds nodes of everything except constraints: inertial forces, weight, loads, energies and
+//! powers.
 
 use kin_graph::{Function, Function2, Graph, Input, Node};
 

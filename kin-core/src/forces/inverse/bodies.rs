@@ -1,4 +1,5 @@
-//! The balance of one body as nodes; `forces/body.rs` computes it with numbers.
+//! Builds the balance of one body as nodes; `forces/body.rs` computes the same balance with
+//! numbers.
 
 use kin_graph::differentiate::Jets;
 use kin_graph::{Function, Graph, Input, Node};

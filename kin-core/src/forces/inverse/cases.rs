@@ -1,15 +1,15 @@
-//! Forces of the cases of a sweep.
+//! Computes the forces of the cases of a sweep.
 
 use crate::forces::Forces;
 use crate::model::error::Result;
 use crate::solve::sweep::Sweep;
 
 impl Sweep<'_> {
-    /// Runs every case over the times as [`Sweep::run`] does, and returns what `keep` computes from
-    /// the forces of each case, in order.
+    /// Runs every case over the times as [`Sweep::run`] does, and returns the results of `keep` in
+    /// the order of the cases.
     ///
-    /// `keep` receives the forces with the numbers of the case ([`crate::System::forces`]), or the
-    /// error that ended its motion or its forces.
+    /// Kin calls `keep` with the index of each case and its forces ([`crate::System::forces`]), or
+    /// with the index and the error if the case fails.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -31,7 +31,7 @@ impl Sweep<'_> {
     /// # }
     /// ```
     ///
-    /// Errors of the sweep as a whole: those of [`Sweep::run`].
+    /// Errors: those of [`Sweep::run`] that concern the whole sweep.
     pub fn forces<R: Send>(
         &self,
         cases: &[impl AsRef<[f64]> + Sync],

@@ -1,4 +1,4 @@
-//! A body as nodes: its position, its motion, and the coordinates on which forces act.
+//! Builds nodes of a body: its position, its motion, and the coordinates on which forces act.
 
 use kin_graph::{Graph, Input, Node};
 

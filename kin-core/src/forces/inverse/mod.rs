@@ -1,10 +1,13 @@
-//! Inverse dynamics as one tape of the whole mechanism, replayed over several times of a motion at
-//! once. The tape contains M q̈ and Q_v of all bodies, loads, and C_qᵀ λ = Q by a transposed
-//! elimination of nodes.
+//! Computes inverse dynamics with one tape of the whole mechanism, for several times of a motion at
+//! once.
 //!
-//! Its outputs are λ and the balances. Redundant mechanisms, friction and closures as loads have no
-//! tape; the reason names them, and the forces are computed time by time. The same applies to times
-//! at which a pivot is small relative to that of the first time, or a number is not finite.
+//! The tape contains M q̈ and Q_v of all bodies, loads, and C_qᵀ λ = Q by a transposed elimination
+//! of nodes.
+//!
+//! The outputs of the tape are λ and the balances. Kin records no tape for redundant mechanisms,
+//! friction, and closures as loads. In these cases Kin computes one time after the other and
+//! reports the reason. Kin also computes a time separately if a pivot is small relative to the
+//! pivot at the first time, or if a number is not finite.
 
 mod acting;
 mod bodies;

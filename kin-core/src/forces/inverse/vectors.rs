@@ -1,4 +1,4 @@
-//! Vectors and matrices of nodes.
+//! Implements vectors and matrices of nodes.
 
 use kin_graph::{Function, Graph, Node};
 

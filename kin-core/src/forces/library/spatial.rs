@@ -1,4 +1,4 @@
-//! Loads of spatial bodies.
+//! Defines the loads of spatial bodies.
 
 use crate::model::coordinates::IntoSpatialBody;
 use crate::model::law::Law;
@@ -8,12 +8,12 @@ use kin_macros::{constraint, potential};
 
 use super::{force_by, viscous};
 
-/// Returns the distance of two points, |r_Pi − r_Pj|, as a length to act along. \[m\]
+/// Returns the distance of two points, |r_Pi − r_Pj|, as a length along which a load can act. \[m\]
 ///
-/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. Where the
-/// points meet, the distance has no derivative.
+/// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. If the points
+/// coincide, the distance has no derivative.
 ///
-/// Signs: none. A positive force along the distance pushes the points apart.
+/// Signs: a positive force along the distance pushes the points apart.
 #[constraint]
 pub fn length(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm()
@@ -32,8 +32,8 @@ pub fn spring(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, stiffness: f64, free
     0.5 * stiffness * stretch * stretch
 }
 
-/// Returns the displacement of P_i along a direction of body j, h_j · (r_Pi − r_Pj), as a length to
-/// act along. \[m\]
+/// Returns the displacement of P_i along a direction of body j, h_j · (r_Pi − r_Pj), as a length
+/// along which a load can act. \[m\]
 ///
 /// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `h_j` is the
 /// direction in body j, such as the axis of a cylinder.
@@ -45,11 +45,11 @@ pub fn slide(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_j: Axis) -> f64 {
     j.direction(h_j.h).dot(i.point(u_i) - j.point(u_j))
 }
 
-/// Returns the angle of body i relative to body j about an axis, from f_j to f_i, as an angle to
-/// act along. \[rad\]
+/// Returns the angle of body i relative to body j about an axis, from f_j to f_i, as an angle along
+/// which a load can act. \[rad\]
 ///
-/// `h_i` and `h_j` are the common axis in body i and body j. A joint must hold the axes parallel.
-/// The angle is between −π and π. For a spring wound further use a separate coordinate
+/// `h_i` and `h_j` are the common axis in body i and body j. A joint must keep both axes parallel.
+/// The angle is between −π and π. For a spring that turns further, use a separate coordinate
 /// (`spatial::relative_angle`).
 ///
 /// Signs: a positive torque along the angle turns i right-handed about h_j, and j in the opposite
@@ -64,9 +64,9 @@ pub fn turn(i: Spatial, j: Spatial, h_i: Axis, h_j: Axis) -> f64 {
 /// j. \[J\]
 ///
 /// `h_i` and `h_j` are the common axis in body i and body j. `stiffness` is k \[N m/rad\]. `free`
-/// is φ0 \[rad\]. Kin takes φ − φ0 between −π and π.
+/// is φ0 \[rad\]. Kin uses the value of φ − φ0 between −π and π.
 ///
-/// Signs: beyond φ0 the spring turns body i back.
+/// Signs: the spring turns body i back towards the angle φ0.
 #[potential]
 pub fn torsion_spring(
     i: Spatial,
@@ -87,12 +87,12 @@ pub fn torsion_spring(
 /// Acts as an elastic bushing: V = ½ Σ k d² + 2 Σ κ e², where d is the vector from P_j to P_i in
 /// the frame of j and e the rotation of i. \[J\]
 ///
-/// e is the vector part of the Euler parameters of i relative to j; for small rotations 2 e is the
-/// angle. `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `p_j`
-/// are the Euler parameters of i relative to j without torque. `stiffness` is k along the axes of j
-/// \[N/m\]. `torsion` is κ about them \[N m/rad\].
+/// The vector e is the vector part of the Euler parameters of i relative to j; for small rotations
+/// 2 e is the rotation vector. `u_i` and `u_j` are the local positions of the points in body i and
+/// body j \[m\]. `p_j` are the Euler parameters of i relative to j without torque. `stiffness` is k
+/// along the axes of j \[N/m\]. `torsion` is κ about the axes of j \[N m/rad\].
 ///
-/// Signs: the bushing pulls P_i back to P_j and turns i back.
+/// Signs: the bushing pulls P_i back to P_j and turns i back to the orientation `p_j`.
 #[potential]
 #[require(p_j.norm() > 0.0, "at least one Euler parameter must differ from zero")]
 pub fn bushing(
@@ -111,11 +111,11 @@ pub fn bushing(
     0.5 * pulled + 2.0 * turned
 }
 
-/// Returns a component of a small rotation of body i in body j, 2 e · h_j, as an angle to act
-/// along. \[rad\]
+/// Returns a component of a small rotation of body i in body j, 2 e · h_j, as an angle along which
+/// a load can act. \[rad\]
 ///
-/// e is the vector part of the Euler parameters of i relative to j. `p_j` are these Euler
-/// parameters where the angle is zero. `h_j` is the direction in body j.
+/// The vector e is the vector part of the Euler parameters of i relative to j. `p_j` are the Euler
+/// parameters of i relative to j where the angle is zero. `h_j` is the direction in body j.
 ///
 /// Signs: a positive torque along the angle turns i right-handed about h_j, and j in the opposite
 /// direction.

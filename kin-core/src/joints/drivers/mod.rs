@@ -1,7 +1,7 @@
-//! Drivers: equations with time that prescribe the motion of a motor, a cylinder or a path.
+//! Defines drivers: equations with time that prescribe the motion of a motor, a cylinder or a path.
 //!
-//! This module contains the drivers of coordinates and planar bodies. Those of spatial bodies are
-//! in [`spatial`].
+//! This module contains the drivers of coordinates and planar bodies. The module [`spatial`]
+//! contains the drivers of spatial bodies.
 
 mod planar;
 pub mod spatial;

@@ -1,4 +1,4 @@
-//! Drivers of coordinates and planar bodies.
+//! Defines the drivers of coordinates and planar bodies.
 
 use crate::model::law::Law;
 use crate::numbers::algebra::Vec2;
@@ -7,10 +7,10 @@ use kin_macros::constraint;
 /// Makes a coordinate follow a law of time: q − f(t) = 0. \[unit of q\]
 ///
 /// `q` is a scalar coordinate or a coordinate of a body: `body.theta()`, `body.x()`. `law` is f.
-/// Lecture, "Driving Constraints": simple driver.
+/// Source: lecture notes, "Driving Constraints".
 ///
-/// Signs: those of the coordinate. R_x and R_y of a body are global; its θ is counter-clockwise
-/// positive.
+/// Signs: each coordinate has its usual sign. R_x and R_y of a body are global coordinates, and θ
+/// of a body is positive counter-clockwise.
 #[constraint]
 pub fn drive(q: Coord, law: Law, t: Time) -> f64 {
     q - law.at(t)
@@ -18,10 +18,10 @@ pub fn drive(q: Coord, law: Law, t: Time) -> f64 {
 
 /// Makes the angle of a body follow a law of time: θ − f(t) = 0. \[rad\]
 ///
-/// `law` is f \[rad\]. Angles are not wrapped, so the law can count any number of revolutions.
-/// Lecture, "Driving Constraints".
+/// `law` is f \[rad\]. Kin does not wrap angles, so the law can count full revolutions. Source:
+/// lecture notes, "Driving Constraints".
 ///
-/// Signs: counter-clockwise positive, from the global x-axis to the x-axis of the body.
+/// Signs: θ is counter-clockwise positive, from the global x-axis to the x-axis of the body.
 #[constraint]
 pub fn drive_angle(body: Planar, law: Law, t: Time) -> f64 {
     body.theta - law.at(t)
@@ -29,8 +29,8 @@ pub fn drive_angle(body: Planar, law: Law, t: Time) -> f64 {
 
 /// Makes the angle between two bodies follow a law of time: θ_i − θ_j − f(t) = 0. \[rad\]
 ///
-/// `law` is f \[rad\]; it can count any number of revolutions. Use it for a motor on body j that
-/// turns body i. Haug, section 3.5.
+/// `law` is f \[rad\]; the law can count full revolutions. Use this driver for a motor on body j
+/// that turns body i. Source: Haug, section 3.5.
 ///
 /// Signs: the angle is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
@@ -43,7 +43,7 @@ pub fn drive_relative_angle(i: Planar, j: Planar, law: Law, t: Time) -> f64 {
 ///
 /// `u_i` is the local position of P_i in body i \[m\]. `u_j` is the point of body j where the
 /// displacement is zero \[m\]. `h_j` is the direction of the line in body j, of any length. `law`
-/// is f \[m\]. Use it for a cylinder or a linear motor. Haug, section 3.5.
+/// is f \[m\]. Use this driver for a cylinder or a linear motor. Source: Haug, section 3.5.
 ///
 /// Signs: the displacement grows as P_i moves along h_j in j.
 #[constraint]
@@ -64,10 +64,10 @@ pub fn drive_slide(
 /// Makes the distance of two points follow a law of time: |r_Pi − r_Pj| − f(t) = 0. \[m\]
 ///
 /// `u_i` and `u_j` are the local positions of the points in body i and body j \[m\]. `law` is f
-/// \[m\]; it must stay positive, because the distance has no derivative where the points meet. Use
-/// it for a hydraulic cylinder. Haug, section 3.5.
+/// \[m\]. The law must remain positive, because the distance has no derivative where the points
+/// coincide. Use this driver for a hydraulic cylinder. Source: Haug, section 3.5.
 ///
-/// Signs: none; a distance is positive.
+/// Signs: the distance is always positive.
 #[constraint]
 pub fn drive_distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, law: Law, t: Time) -> f64 {
     (i.point(u_i) - j.point(u_j)).norm() - law.at(t)
@@ -75,10 +75,10 @@ pub fn drive_distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, law: Law, t: T
 
 /// Makes a point of a body follow a path: r_P − (f1(t), f2(t)) = 0. \[m\]
 ///
-/// `u` is the local position of P \[m\]. `path_x` and `path_y` are f1 and f2 \[m\]. Lecture,
-/// "Driving Constraints": complex driver.
+/// `u` is the local position of P \[m\]. `path_x` and `path_y` are f1 and f2 \[m\]. Source: lecture
+/// notes, "Driving Constraints".
 ///
-/// Signs: the laws are global coordinates.
+/// Signs: the laws give global coordinates.
 #[constraint]
 pub fn drive_point(body: Planar, u: Vec2, path_x: Law, path_y: Law, t: Time) -> Vec2 {
     let path = Vec2::new(path_x.at(t), path_y.at(t));
@@ -88,7 +88,7 @@ pub fn drive_point(body: Planar, u: Vec2, path_x: Law, path_y: Law, t: Time) -> 
 /// Makes one coordinate of a point follow a law of time: n · r_P − f(t) = 0. \[m\]
 ///
 /// `u` is the local position of P \[m\]. `n` is the global direction of the coordinate, of any
-/// length. `law` is f \[m\]. Haug, section 3.5.
+/// length. `law` is f \[m\]. Source: Haug, section 3.5.
 ///
 /// Signs: the coordinate grows along `n`, from the global origin.
 #[constraint]

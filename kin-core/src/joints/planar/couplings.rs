@@ -1,5 +1,6 @@
-//! Couplings of rotations and displacements. Angles of planar bodies are never wrapped, so a
-//! coupling counts any number of revolutions.
+//! Defines couplings of rotations and displacements.
+//!
+//! Kin does not wrap the angles of planar bodies, so a coupling counts full revolutions.
 
 use super::terms::{self, TERMS};
 use crate::model::coordinates::{Coordinate, Ground};
@@ -10,8 +11,8 @@ use kin_macros::constraint;
 ///
 /// Removes 1 freedom. `i` and `j` are the wheels. `arm` is the body that carries both axles; use
 /// the ground for axles at rest. `r_i` and `r_j` are the pitch radii \[m\]. `phase` is φ, the angle
-/// of i relative to the arm when j is in line with the arm \[rad\]. Norton, *Design of Machinery*,
-/// ch. 9.
+/// of i relative to the arm when j is in line with the arm \[rad\]. Source: Norton, *Design of
+/// Machinery*, ch. 9.
 ///
 /// Signs: relative to the arm the wheels turn in opposite directions. All angles are
 /// counter-clockwise positive.
@@ -25,8 +26,8 @@ pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -
 ///
 /// Removes 1 freedom. `i` is the wheel with the pitch radius `r_i` \[m\]. `j` is the ring with
 /// internal teeth and the pitch radius `r_j` \[m\]. `arm` is the body that carries both axles.
-/// `phase` is φ, the angle of i relative to the arm when j is in line with the arm \[rad\]. Norton,
-/// ch. 9.
+/// `phase` is φ, the angle of i relative to the arm when j is in line with the arm \[rad\]. Source:
+/// Norton, ch. 9.
 ///
 /// Signs: relative to the arm the wheel and the ring turn in the same direction. All angles are
 /// counter-clockwise positive.
@@ -39,9 +40,9 @@ pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phas
 /// Couples two pulleys by a belt or chain: r_i (θ_i − θ_frame − φ) − r_j (θ_j − θ_frame) = 0. \[m\]
 ///
 /// Removes 1 freedom. `i` and `j` are the pulleys. `frame` is the body that carries both axles.
-/// `r_i` and `r_j` are the pitch radii \[m\]; for a crossed belt make one of them negative. `phase`
+/// `r_i` and `r_j` are the pitch radii \[m\]; for a crossed belt give one negative radius. `phase`
 /// is φ, the angle of i relative to the frame when j is in line with the frame \[rad\]. The belt
-/// neither slips nor stretches. Norton, ch. 9.
+/// neither slips nor stretches. Source: Norton, ch. 9.
 ///
 /// Signs: relative to the frame an open belt turns both pulleys in the same direction, a crossed
 /// belt in opposite directions. All angles are counter-clockwise positive.
@@ -55,10 +56,10 @@ pub fn belt(i: Planar, j: Planar, frame: Planar, r_i: f64, r_j: f64, phase: f64)
 /// centre in the rack's frame. \[m\]
 ///
 /// Removes 1 freedom. `i` is the pinion, `u_i` its centre \[m\] and `radius` its pitch radius r
-/// \[m\]. `j` is the rack, `u_j` a point of its pitch line \[m\] and `h_j` the direction of that
-/// line, of any length. `phase` is φ, the angle of the pinion relative to the rack when the
-/// pinion's centre is over `u_j` \[rad\]. Norton, ch. 9. Measures: `slide`, the displacement of the
-/// centre along h_j; `angle`, θ_i − θ_j.
+/// \[m\]. `j` is the rack, `u_j` a point of its pitch line \[m\] and `h_j` the direction of the
+/// pitch line, of any length. `phase` is φ, the angle of the pinion relative to the rack when the
+/// pinion's centre is over `u_j` \[rad\]. Source: Norton, ch. 9. Measures: `slide`, the
+/// displacement of the centre along h_j; `angle`, θ_i − θ_j.
 ///
 /// Signs: the pinion is to the left of h_j; with a negative radius it is to the right. When the
 /// pinion moves along h_j in the rack, it turns clockwise. A pinion that turns counter-clockwise in
@@ -84,12 +85,12 @@ pub fn rack_and_pinion(
 /// Rolls a wheel on a straight track without slip: h_j × (s − ū_j) − r = 0 and h_j · (s − ū_j) + r
 /// (θ_i − θ_j − φ) = 0. \[m, m\]
 ///
-/// Removes 2 freedoms: the first row keeps contact, the second prevents slip. s is the wheel's
-/// centre in the frame of the track. `i` is the wheel, `u_i` its centre \[m\] and `radius` its
-/// radius r \[m\]. `j` is the track, `u_j` a point of its line \[m\] and `h_j` the direction of
-/// that line, of any length. `phase` is φ, the angle of the wheel relative to the track when the
-/// wheel's centre is over `u_j` \[rad\]. Haug, section 3.4. Measures: `slide`, the displacement of
-/// the centre along h_j; `angle`, θ_i − θ_j.
+/// Removes 2 freedoms: the first row keeps contact, the second prevents slip. The vector s is the
+/// wheel's centre in the frame of the track. `i` is the wheel, `u_i` its centre \[m\] and `radius`
+/// its radius r \[m\]. `j` is the track, `u_j` a point of its line \[m\] and `h_j` the direction of
+/// the line, of any length. `phase` is φ, the angle of the wheel relative to the track when the
+/// wheel's centre is over `u_j` \[rad\]. Source: Haug, section 3.4. Measures: `slide`, the
+/// displacement of the centre along h_j; `angle`, θ_i − θ_j.
 ///
 /// Signs: the wheel is to the left of h_j. When the wheel moves along h_j, it turns clockwise. The
 /// angle is counter-clockwise positive.
@@ -117,10 +118,10 @@ pub fn rolling(
 /// Couples two coordinates linearly: k_a a + k_b b − c = 0. \[unit of c\]
 ///
 /// Removes 1 freedom. `a` and `b` are scalar coordinates or coordinates of bodies (`wheel.theta()`,
-/// `rack.x()`). `k_a` and `k_b` are their factors, `c` is the sum. For more than two coordinates
-/// use [`linear_coupling`](fn@linear_coupling). Norton, ch. 9.
+/// `rack.x()`). `k_a` and `k_b` are the factors, and `c` is the sum. For more than two coordinates
+/// use [`linear_coupling`](fn@linear_coupling). Source: Norton, ch. 9.
 ///
-/// Signs: those of the coordinates. With k_a = k_b the coordinates move in opposite directions.
+/// Signs: with k_a = k_b the coordinates move in opposite directions.
 #[constraint]
 #[require(k_a != 0.0 && k_b != 0.0, "the factors must not be zero")]
 pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
@@ -129,10 +130,10 @@ pub fn coupling(a: Coord, b: Coord, k_a: f64, k_b: f64, c: f64) -> f64 {
 
 /// Couples two to six coordinates linearly: Σ k_n q_n − c = 0.
 ///
-/// For example, the cage of a differential turns by half of the sum of its two wheels:
-/// `linear_coupling([left, right, cage], [1.0, 1.0, -2.0], 0.0)`. To drive a sum, couple it with a
-/// separate coordinate and drive that coordinate. The function returns the constraint
-/// [`type@linear_coupling`].
+/// For example, the cage of a differential turns by half of the sum of the angles of its two
+/// wheels: `linear_coupling([left, right, cage], [1.0, 1.0, -2.0], 0.0)`. To drive a sum, couple
+/// the sum with a separate coordinate and drive the separate coordinate. The function returns the
+/// constraint [`type@linear_coupling`].
 #[must_use]
 pub fn linear_coupling<const N: usize>(
     q: [impl Into<Coordinate>; N],

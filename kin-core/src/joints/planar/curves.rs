@@ -1,4 +1,4 @@
-//! Joints that keep a point or a face on a curve given as a law: slots and cams.
+//! Defines joints that keep a point or a face on a curve given as a law: slots and cams.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ use kin_macros::constraint;
 /// in the frame of j. \[m\]
 ///
 /// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `curve` is the law
-/// f \[m\]. Use it for a curved slot. Measures: `slide`, s_x; `angle`, θ_i − θ_j.
+/// f \[m\]. Use this joint for a curved slot. Measures: `slide`, s_x; `angle`, θ_i − θ_j.
 ///
 /// Signs: the slide grows along the x-axis of body j, the row along its y-axis. The angle is the
 /// rotation of i relative to j, counter-clockwise positive.
@@ -27,11 +27,11 @@ pub fn point_on_curve(i: Planar, j: Planar, u_i: Vec2, curve: Law) -> f64 {
 ///
 /// Removes 1 freedom. `tip` is the local position of the tip in the follower \[m\]. `profile` is
 /// the law ρ: the distance of the cam's edge from the origin of the cam's frame at the angle φ
-/// \[m\]. The profile must be 2π-periodic. Norton, *Cam Design and Manufacturing Handbook*.
+/// \[m\]. The profile must be 2π-periodic. Source: Norton, *Cam Design and Manufacturing Handbook*.
 /// Measure: `contact`, φ.
 ///
 /// Signs: φ is counter-clockwise positive from the x-axis of the cam. When the cam turns
-/// counter-clockwise under a tip at rest, φ falls. The row is positive outside the cam.
+/// counter-clockwise under a tip at rest, φ decreases. The row is positive outside the cam.
 #[constraint]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle and must repeat after 2π; make the law `periodic` with this period")]
 #[measure(contact = cam.local(follower.point(tip)).y.atan2(cam.local(follower.point(tip)).x), "rad", turns)]
@@ -64,15 +64,16 @@ pub fn cam_flat_face(cam: Planar, follower: Planar, u: Vec2, n: Vec2, support: L
 /// Keeps a roller follower on a cam: s − ρ e(φ) − r n(φ) = 0, where s is the roller's centre in the
 /// cam's frame and n the normal of the edge at φ. \[m, m\]
 ///
-/// Removes 2 freedoms and adds one, the angle `phi` of the point of contact in the cam's frame: 1
-/// in all. `centre` is the local position of the roller's centre in the follower \[m\]. `radius` is
-/// the radius r of the roller \[m\]. `profile` is the law ρ(φ): the distance of the edge from the
-/// origin of the cam's frame \[m\]. The profile must be 2π-periodic. The normal is n = (ρ,
-/// −ρ′)/|(ρ, ρ′)| in the directions e(φ) and across. The radius of curvature of a concave edge must
-/// be larger than the roller. Norton.
+/// Removes 2 freedoms and adds one coordinate, the angle `phi` of the point of contact in the cam's
+/// frame, so the joint removes 1 freedom in total. `centre` is the local position of the roller's
+/// centre in the follower \[m\]. `radius` is the radius r of the roller \[m\]. `profile` is the law
+/// ρ(φ): the distance of the edge from the origin of the cam's frame \[m\]. The profile must be
+/// 2π-periodic. The normal is n = (ρ, −ρ′)/|(ρ, ρ′)| in the directions e(φ) and across. The radius
+/// of curvature of a concave edge must be larger than the radius of the roller. Source: Norton,
+/// *Cam Design and Manufacturing Handbook*.
 ///
-/// Signs: φ is counter-clockwise positive from the x-axis of the cam. n points out of the cam,
-/// towards the roller.
+/// Signs: φ is counter-clockwise positive from the x-axis of the cam. The normal n points out of
+/// the cam, towards the roller.
 #[constraint]
 #[require(profile.is_periodic(TAU), "the profile of a cam is a law of an angle and must repeat after 2π; make the law `periodic` with this period")]
 #[require(radius >= 0.0, "the radius of the roller must not be below zero")]

@@ -1,4 +1,4 @@
-//! Joints between planar bodies.
+//! Defines the joints between planar bodies.
 //!
 //! Local positions `u_i`, `u_j` and directions `h_i`, `h_j` are in the frames of bodies i and j.
 //! Angles are counter-clockwise positive.

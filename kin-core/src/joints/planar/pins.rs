@@ -1,4 +1,4 @@
-//! Joints that hold points and angles.
+//! Defines joints that hold points and angles.
 
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
@@ -6,8 +6,8 @@ use kin_macros::constraint;
 /// Holds a body at a given position and angle: R − r = 0 and θ − θ0 = 0. \[m, m, rad\]
 ///
 /// Removes 3 freedoms. `r` is the global position of the origin of the body frame \[m\]. `theta` is
-/// the angle θ0 of the body \[rad\]. Use it for a second ground; the ground of Kin needs no joint.
-/// Lecture, "Constraint Equations".
+/// the angle θ0 of the body \[rad\]. Use this joint for a second ground; the ground of Kin needs no
+/// joint. Source: lecture notes, "Constraint Equations".
 ///
 /// Signs: `theta` is counter-clockwise positive from the global x-axis.
 #[constraint]
@@ -21,11 +21,11 @@ pub fn fixed(j: Planar, r: Vec2, theta: f64) -> (f64, f64, f64) {
 /// Pins body i to body j at point P: R_i + A_i ū_i − R_j − A_j ū_j = 0. \[m\]
 ///
 /// Removes 2 freedoms. `u_i` and `u_j` are the local positions of P in body i and body j \[m\].
-/// Lecture, "Constraint Library: Revolute"; Shabana, *Computational Dynamics*, 3rd ed., section
-/// 3.4. Measure: `angle`, θ_i − θ_j.
+/// Source: lecture notes, "Constraint Library: Revolute"; Shabana, *Computational Dynamics*, 3rd
+/// ed., section 3.4. Measure: `angle`, θ_i − θ_j.
 ///
-/// Signs: the angle is the rotation of i relative to j, counter-clockwise positive. It is zero
-/// where the x-axes of both bodies are parallel, and it is never wrapped.
+/// Signs: the angle is the rotation of i relative to j, counter-clockwise positive. The angle is
+/// zero where the x-axes of both bodies are parallel, and counts full revolutions.
 #[constraint]
 #[measure(angle = i.theta - j.theta, "rad")]
 pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
@@ -35,7 +35,7 @@ pub fn revolute(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2) -> Vec2 {
 /// Holds body i rigidly on body j: r_Pi − r_Pj = 0 and θ_i − θ_j − θ0 = 0. \[m, rad\]
 ///
 /// Removes 3 freedoms. `u_i` and `u_j` are the local positions of a common point P in body i and
-/// body j \[m\]. `theta0` is the angle θ0 between the bodies \[rad\]. Shabana, section 3.4.
+/// body j \[m\]. `theta0` is the angle θ0 between the bodies \[rad\]. Source: Shabana, section 3.4.
 ///
 /// Signs: `theta0` is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
@@ -50,10 +50,10 @@ pub fn weld(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, theta0: f64) -> (Vec2, f
 ///
 /// Removes 1 freedom. `u_i` and `u_j` are the local positions of the pins in body i and body j
 /// \[m\]. `length` is the positive length l of the rod \[m\]. Near the solution the row is |r_Pi −
-/// r_Pj| − l, but its derivative also exists where the pins meet. Haug, *Computer Aided Kinematics
-/// and Dynamics*, section 3.3.
+/// r_Pj| − l, but the derivative of the row also exists where the pins coincide. Source: Haug,
+/// *Computer Aided Kinematics and Dynamics*, section 3.3.
 ///
-/// Signs: none; the rod may point in any direction.
+/// Signs: the rod may point in any direction.
 #[constraint]
 #[require(length > 0.0, "the length of the rod must be above zero; for pins at the same point use `revolute`")]
 pub fn distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: f64) -> f64 {
@@ -63,8 +63,8 @@ pub fn distance(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, length: f64) -> f64 
 
 /// Holds body i at a constant angle to body j: θ_i − θ_j − θ0 = 0. \[rad\]
 ///
-/// Removes 1 freedom. `theta0` is the angle θ0 \[rad\]. Kin does not wrap it: θ0 and θ0 + 2π are
-/// different angles. Lecture, "Constraint Library: Prismatic", first row.
+/// Removes 1 freedom. `theta0` is the angle θ0 \[rad\]. Kin does not wrap the angle: θ0 and θ0 + 2π
+/// are different angles. Source: lecture notes, "Constraint Library: Prismatic", first row.
 ///
 /// Signs: `theta0` is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
@@ -76,7 +76,7 @@ pub fn angle(i: Planar, j: Planar, theta0: f64) -> f64 {
 ///
 /// Removes 1 freedom. `h_i` and `h_j` are the local directions; their lengths scale the row.
 /// Opposite directions satisfy the equation too, so a position found with h_i · h_j < 0 is an
-/// error. Shabana, section 3.4.
+/// error. Source: Shabana, section 3.4.
 ///
 /// Signs: h_i and h_j point in the same direction. The row is positive where h_j is
 /// counter-clockwise of h_i.

@@ -1,4 +1,4 @@
-//! Joints in which a point or a body slides.
+//! Defines joints in which a point or a body slides.
 
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
@@ -8,8 +8,9 @@ use kin_macros::constraint;
 ///
 /// Removes 2 freedoms. `u_i` and `u_j` are local positions of a point on the line of sliding in
 /// body i and body j \[m\]. `h_i` is the local direction in body i perpendicular to the line; its
-/// length scales the second row. `theta0` is the angle θ0 between the bodies \[rad\]. Lecture,
-/// "Constraint Library: Prismatic". Measure: `slide`, the distance of P_i from P_j along the line.
+/// length scales the second row. `theta0` is the angle θ0 between the bodies \[rad\]. Source:
+/// lecture notes, "Constraint Library: Prismatic". Measure: `slide`, the distance of P_i from P_j
+/// along the line.
 ///
 /// Signs: the slide grows as i moves in j with h_i on its left. If h_i is the y-axis of body i, the
 /// slide grows along the x-axis of body i. `theta0` is the rotation of i relative to j,
@@ -27,9 +28,9 @@ pub fn prismatic(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_i: Vec2, theta0: 
 /// frame of j. \[m\]
 ///
 /// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `u_j` is a point of
-/// the line in body j \[m\]. `h_j` is the direction of the line; its length scales the row. Haug,
-/// section 3.3: revolute–translational joint. Measures: `slide`, the distance of the point from ū_j
-/// along h_j; `angle`, θ_i − θ_j.
+/// the line in body j \[m\]. `h_j` is the direction of the line; its length scales the row. Source:
+/// Haug, section 3.3, revolute–translational joint. Measures: `slide`, the distance of the point
+/// from ū_j along h_j; `angle`, θ_i − θ_j.
 ///
 /// Signs: the slide grows along h_j. The row is positive to the left of h_j. The angle is the
 /// rotation of i relative to j, counter-clockwise positive.
@@ -50,8 +51,8 @@ pub fn point_on_line(i: Planar, j: Planar, u_i: Vec2, u_j: Vec2, h_j: Vec2) -> f
 /// reports an event where the pin passes an end. Measures: `slide`, the distance of the pin from A;
 /// `angle`, θ_i − θ_j.
 ///
-/// Signs: the slide grows from A towards B. The row is positive to the left of that direction. The
-/// angle is the rotation of i relative to j, counter-clockwise positive.
+/// Signs: the slide grows from A towards B. The row is positive to the left of the direction from A
+/// to B. The angle is the rotation of i relative to j, counter-clockwise positive.
 #[constraint]
 #[require((b_j - a_j).norm() > 0.0, "the ends of the slot must be different points")]
 #[measure(slide = (b_j - a_j).dot(j.local(i.point(u_i)) - a_j) / (b_j - a_j).norm(), "m", ends = (0.0, (b_j - a_j).norm()))]
@@ -65,8 +66,8 @@ pub fn pin_in_slot(i: Planar, j: Planar, u_i: Vec2, a_j: Vec2, b_j: Vec2) -> f64
 /// in the frame of j. \[m\]
 ///
 /// Removes 1 freedom. `u_i` is the local position of the point in body i \[m\]. `c_j` is the centre
-/// of the circle in body j \[m\]. `radius` is the radius ρ \[m\]. Use it for a circular slot. Haug,
-/// section 3.3. Measure: `angle`, the direction from the centre to the point.
+/// of the circle in body j \[m\]. `radius` is the radius ρ \[m\]. Use this joint for a circular
+/// slot. Source: Haug, section 3.3. Measure: `angle`, the direction from the centre to the point.
 ///
 /// Signs: the angle is counter-clockwise positive from the x-axis of body j. The row is positive
 /// outside the circle.

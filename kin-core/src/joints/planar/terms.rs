@@ -1,4 +1,4 @@
-//! Sums of many coordinates as one compiled kernel.
+//! Couples sums of many coordinates by one compiled kernel.
 
 use kin_macros::constraint;
 
@@ -8,11 +8,12 @@ pub(super) const TERMS: usize = 6;
 /// Couples two to six coordinates linearly: Σ k_n q_n − c = 0. \[unit of c\]
 ///
 /// Removes 1 freedom. `q` are scalar coordinates or coordinates of bodies (`wheel.theta()`,
-/// `rack.x()`). `k` contains one factor for each coordinate, `c` is the sum. Use it for a
-/// differential, a planetary train or a platform on ropes and pulleys. To drive a sum, couple it
-/// with a separate coordinate and drive that coordinate. Norton, *Design of Machinery*, ch. 9.
+/// `rack.x()`). `k` contains one factor for each coordinate, and `c` is the sum. Use this coupling
+/// for a differential, a planetary train or a platform on ropes and pulleys. To drive a sum, couple
+/// the sum with a separate coordinate and drive the separate coordinate. Source: Norton, *Design of
+/// Machinery*, ch. 9.
 ///
-/// Signs: those of the coordinates.
+/// Signs: each coordinate has its usual sign.
 #[constraint]
 #[require(k.iter().any(|k| *k != 0.0), "at least one factor must differ from zero")]
 pub fn linear_coupling(q: [Coord; 6], k: [f64; 6], c: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! Joints that hold directions and leave points free.
+//! Defines joints that hold directions and leave points free.
 
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
@@ -7,7 +7,7 @@ use kin_macros::constraint;
 ///
 /// Removes 2 freedoms. `h_i` and `h_j` are the axes. f_i and g_i are the two directions across h_i;
 /// the length of h_j scales the rows. Opposite axes satisfy the equations too, so a position found
-/// with h_i · h_j < 0 is an error. Haug, section 9.4.
+/// with h_i · h_j < 0 is an error. Source: Haug, section 9.4.
 ///
 /// Signs: h_i and h_j point in the same direction.
 #[constraint]
@@ -23,7 +23,7 @@ pub fn parallel(i: Spatial, j: Spatial, h_i: Axis, h_j: Vec3) -> (f64, f64) {
 /// Keeps a direction of body i perpendicular to a direction of body j: h_i · h_j = 0. \[–\]
 ///
 /// Removes 1 freedom. `h_i` and `h_j` are the directions; their lengths scale the row. As a
-/// primitive this joint is called dot-1. Haug, section 9.4.
+/// primitive this joint has the name dot-1. Source: Haug, section 9.4.
 ///
 /// Signs: the row is positive where the angle between h_i and h_j is less than 90°.
 #[constraint]
@@ -35,9 +35,9 @@ pub fn perpendicular(i: Spatial, j: Spatial, h_i: Vec3, h_j: Vec3) -> f64 {
 /// Holds a direction of body i at a constant angle to a direction of body j: h_i · h_j − cos α = 0.
 /// \[–\]
 ///
-/// Removes 1 freedom. `h_i` and `h_j` are the directions. `alpha` is the angle α between them,
-/// strictly between 0 and π \[rad\]. At 0 and π the derivative of the row is zero; use `parallel`
-/// instead. Haug, section 9.4.
+/// Removes 1 freedom. `h_i` and `h_j` are the directions. `alpha` is the angle α between the
+/// directions, strictly between 0 and π \[rad\]. At 0 and π the derivative of the row is zero; use
+/// `parallel` instead. Source: Haug, section 9.4.
 ///
 /// Signs: the angle has no sign, so h_i can be anywhere on a cone about h_j. The row is positive
 /// where the angle is less than α.

@@ -1,4 +1,4 @@
-//! Links without mass: one constraint replaces a link and the two joints at its ends.
+//! Defines links without mass: one constraint replaces a link and the two joints at its ends.
 
 use crate::numbers::algebra::{Axis, Vec3};
 use kin_macros::constraint;
@@ -8,8 +8,8 @@ use kin_macros::constraint;
 ///
 /// Removes 2 freedoms. `u_i` is a point of the hinge \[m\] and `h_i` its direction in body i; the
 /// length of h_i scales the first row. `u_j` is the centre of the ball in body j \[m\]. `length` is
-/// l, from the hinge to the ball \[m\]. The ball is in the plane through u_i across the hinge.
-/// Haug, section 9.4.
+/// l, from the hinge to the ball \[m\]. The ball is in the plane through u_i perpendicular to the
+/// hinge. Source: Haug, section 9.4.
 ///
 /// Signs: the first row is positive where the ball is on the side to which h_i points.
 #[constraint]
@@ -34,9 +34,9 @@ pub fn revolute_spherical(
 ///
 /// Removes 4 freedoms. `u_i`, `h_i` and `u_j`, `h_j` are a point \[m\] and the direction of each
 /// hinge. `length` is l, the length of the common normal \[m\]. `twist` is α, the angle from h_i to
-/// h_j about d \[rad\]; it is zero for parallel hinges (the link of Denavit and Hartenberg). An
-/// opposite h_j satisfies the equations too, so a position found with it is an error. Haug, section
-/// 9.4.
+/// h_j about d \[rad\]; the twist is zero for parallel hinges (the link of Denavit and Hartenberg).
+/// An opposite h_j satisfies the equations too, so a position with an opposite h_j is an error.
+/// Source: Haug, section 9.4.
 ///
 /// Signs: d points from i to j. `twist` is right-handed about d and rotates h_i into h_j.
 #[constraint]
@@ -70,11 +70,12 @@ pub fn revolute_revolute(
 /// Replaces a link with a hinge on body i and a sleeve on body j: h_i · d = 0, (|d|² − l²)/(2 l) =
 /// 0 and h_j · (b cos α − h_i sin α) = 0 with b = d × h_i / l. \[m, m, –\]
 ///
-/// Removes 3 freedoms. d is the part of r_Pj − r_Pi across h_j. `u_i` and `h_i` are a point \[m\]
-/// and the direction of the hinge in body i. `u_j` and `h_j` are a point \[m\] and the direction of
-/// the axis in body j on which the sleeve rotates and slides. `length` is l, the length of the
-/// common normal \[m\]. `twist` is α, the angle from h_i to h_j about d \[rad\]. An opposite h_j
-/// satisfies the equations too, so a position found with it is an error. Haug, section 9.4.
+/// Removes 3 freedoms. The vector d is the part of r_Pj − r_Pi perpendicular to h_j. `u_i` and
+/// `h_i` are a point \[m\] and the direction of the hinge in body i. `u_j` and `h_j` are a point
+/// \[m\] and the direction of the axis in body j on which the sleeve rotates and slides. `length`
+/// is l, the length of the common normal \[m\]. `twist` is α, the angle from h_i to h_j about d
+/// \[rad\]. An opposite h_j satisfies the equations too, so a position with an opposite h_j is an
+/// error. Source: Haug, section 9.4.
 ///
 /// Signs: d points from i to the axis of j. `twist` is right-handed about d and rotates h_i into
 /// h_j.
@@ -113,10 +114,10 @@ pub fn revolute_cylindrical(
 ///
 /// Removes 1 freedom. The joint replaces a link with a ball joint on body i and a sleeve on body j.
 /// `u_i` is the centre of the ball in body i \[m\]. `u_j` and `h_j` are a point \[m\] and the
-/// direction of the axis in body j. `length` is l \[m\]. Use it also for a point on a cylinder of
-/// radius l. Haug, section 9.4.
+/// direction of the axis in body j. `length` is the distance l \[m\]. Use this joint also for a
+/// point on a cylinder of radius l. Source: Haug, section 9.4.
 ///
-/// Signs: none. The row is positive outside the cylinder.
+/// Signs: the row is positive outside the cylinder.
 #[constraint]
 #[require(length > 0.0, "the length of the link must be above zero")]
 pub fn spherical_cylindrical(

@@ -1,4 +1,4 @@
-//! Lower pairs (joints with surface contact), universal joints and constant-velocity joints.
+//! Defines lower pairs (surface contact), universal joints and constant-velocity joints.
 
 use std::f64::consts::TAU;
 
@@ -73,11 +73,11 @@ pub fn revolute(
 /// Lets body i slide along an axis of body j without rotation: vec(p_ij* p_j* p_i) = 0 and f_i · d
 /// = g_i · d = 0 (two dot-2) with d = r_Pi − r_Pj. \[–, m, m\]
 ///
-/// Removes 5 freedoms. vec is the vector part of a product of Euler parameters, and * the
-/// conjugate. `u_i` and `u_j` are points of the axis in body i and body j \[m\]. `h_i` is the
-/// direction of the axis in body i; f_i and g_i are the directions across h_i. `p_ij` are the Euler
-/// parameters of body i relative to body j. There is no second solution. Haug, section 9.4.
-/// Measure: `slide`, h_i · d.
+/// Removes 5 freedoms. The function vec gives the vector part of a product of Euler parameters,
+/// and * is the conjugate. `u_i` and `u_j` are points of the axis in body i and body j \[m\]. `h_i`
+/// is the direction of the axis in body i; f_i and g_i are the directions across h_i. `p_ij` are
+/// the Euler parameters of body i relative to body j. The equations have no second solution.
+/// Source: Haug, section 9.4. Measure: `slide`, h_i · d.
 ///
 /// Signs: the slide grows as i moves along h_i in j. `p_ij` rotates the frame of j into the frame
 /// of i.
@@ -103,14 +103,15 @@ pub fn prismatic(
 /// dot-1) and f_i · d = g_i · d = 0 (two dot-2) with d = r_Pi − r_Pj. \[–, –, m, m\]
 ///
 /// Removes 4 freedoms. `u_i` and `u_j` are points of the axis in body i and body j \[m\]. `h_i` and
-/// `h_j` are the axis in body i and body j. The lecture ("Cylindrical Joint Constraint") writes h_i
-/// × h_j = 0 and h_i × d = 0. Kin uses the components of these equations along f_i and g_i, the two
-/// directions across h_i, which keep full rank at every pose. Opposite axes satisfy the equations
-/// too, so a position found with h_i · h_j < 0 is an error. Measures: `angle`, the angle from f_j
-/// to f_i; `slide`, h_j · d.
+/// `h_j` are the axis in body i and body j. The equations h_i × h_j = 0 and h_i × d = 0 describe
+/// the same joint (lecture notes, "Cylindrical Joint Constraint"). Kin uses the components of these
+/// equations along f_i and g_i, the two directions across h_i, which keep full rank at every pose.
+/// Opposite axes satisfy the equations too, so a position found with h_i · h_j < 0 is an error.
+/// Measures: `angle`, the angle from f_j to f_i; `slide`, h_j · d.
 ///
 /// Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
-/// sets its zero, as for [`revolute`](fn@revolute). The slide grows as i moves along h_j in j.
+/// sets the zero of the angle, as for [`revolute`](fn@revolute). The slide grows as i moves along
+/// h_j in j.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the axis in body j must not be zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "the axes point in opposite directions: h_i · h_j < 0")]
@@ -129,14 +130,14 @@ pub fn cylindrical(i: Spatial, j: Spatial, u_i: Vec3, u_j: Vec3, h_i: Axis, h_j:
 ///
 /// Removes 4 freedoms. `u_i` and `u_j` are the local positions of the centre P of the cross in body
 /// i and body j \[m\]. `h_i` and `h_j` are the two bars of the cross, each in the body in which it
-/// rotates; their lengths scale the row. Lecture, "Universal Joint Constraint". Measures:
-/// `angle_j`, the angle of the cross relative to body j about h_j; `angle_i`, the angle of body i
-/// relative to the cross about h_i.
+/// rotates; their lengths scale the row. Source: lecture notes, "Universal Joint Constraint".
+/// Measures: `angle_j`, the angle of the cross relative to body j about h_j; `angle_i`, the angle
+/// of body i relative to the cross about h_i.
 ///
-/// Signs: both angles are right-handed about their bars. They are zero where the axes of both
-/// frames are parallel. From there body i rotates by `angle_i` about its bar, and then together
-/// with the cross by `angle_j` about the bar of j. If h_i and h_j are not perpendicular in that
-/// pose, [`Vec3::axis_near`] gives the reference directions.
+/// Signs: both angles are right-handed about their bars. Both angles are zero where the axes of
+/// both frames are parallel. From this pose body i rotates by `angle_i` about its bar, and then
+/// together with the cross by `angle_j` about the bar of j. If h_i and h_j are not perpendicular in
+/// that pose, [`Vec3::axis_near`] gives the reference directions.
 #[constraint]
 #[require(h_i.norm() > 0.0 && h_j.norm() > 0.0, "the bars of the cross must not be zero")]
 #[measure(angle_i = (-i.direction(h_i.axis_near(h_j).g).dot(j.direction(h_j))).atan2(i.direction(h_i.axis_near(h_j).f).dot(j.direction(h_j))), "rad", turns)]
@@ -163,8 +164,8 @@ pub fn universal(
 /// `angle`, the angle from f_j to f_i.
 ///
 /// Signs: the angle is the rotation of i relative to j, right-handed about h_j. `.zero(f_i, f_j)`
-/// sets its zero, as for [`revolute`](fn@revolute). The last row is positive where P_i is on the
-/// side to which h_j points.
+/// sets the zero of the angle, as for [`revolute`](fn@revolute). The last row is positive where P_i
+/// is on the side to which h_j points.
 #[constraint]
 #[require(h_j.norm() > 0.0, "the normal in body j must not be zero")]
 #[branch(i.direction(h_i.h).dot(j.direction(h_j)) > 0.0, "the normals point in opposite directions: h_i · h_j < 0")]
@@ -189,12 +190,12 @@ pub fn planar(
 ///
 /// Removes 5 freedoms. φ is the angle from f_j to f_i about h_j. `u_i` and `u_j` are points of the
 /// axis in body i and body j \[m\]. `h_i` and `h_j` are the axis in body i and body j, with f_i
-/// along f_j where the points meet. `lead` is the displacement of i along h_j for one revolution
-/// about h_j \[m\]. Kin rotates f_i back by 2π h_j · d/lead and holds the remaining angle at zero.
-/// The joint therefore counts any number of revolutions without a jump. Opposite axes satisfy the
-/// equations too, so a position found with h_i · h_j < 0 is an error. If another joint holds the
-/// axes in line, use [`thread`](fn@super::thread). Haug, section 9.4. Measures: `angle`, φ;
-/// `slide`, h_j · d.
+/// along f_j where the points coincide. `lead` is the displacement of i along h_j for one
+/// revolution about h_j \[m\]. Kin rotates f_i back by 2π h_j · d/lead and holds the remaining
+/// angle at zero. The joint therefore counts full revolutions without a jump. Opposite axes satisfy
+/// the equations too, so a position found with h_i · h_j < 0 is an error. If another joint holds
+/// the axes in line, use [`thread`](fn@super::thread). Source: Haug, section 9.4. Measures:
+/// `angle`, φ; `slide`, h_j · d.
 ///
 /// Signs: the angle is the rotation of i relative to j, right-handed about h_j. The slide grows as
 /// i moves along h_j in j. `lead` is positive for a right-hand thread.
@@ -230,10 +231,10 @@ pub fn screw(
 /// equals f_j. The second equation allows i to bend against j about an axis across the shafts,
 /// without twist. Both shafts therefore rotate by the same angle at every time. Shafts twisted by
 /// 180° satisfy the equation too, so a position found with f_i · f_j + g_i · g_j < 0 is an error.
-/// Hunt, *Kinematic Geometry of Mechanisms*.
+/// Source: Hunt, *Kinematic Geometry of Mechanisms*.
 ///
 /// Signs: h_i and h_j point in the same direction along the drive line, from one shaft to the
-/// other. Then both shafts rotate in the same direction about them.
+/// other. With these directions both shafts rotate in the same direction.
 #[constraint]
 #[branch(
     i.direction(h_i.f).dot(j.direction(h_j.f)) + i.direction(h_i.g).dot(j.direction(h_j.g)) > 0.0,
@@ -267,12 +268,12 @@ fn zeroed(h_i: Axis, h_j: Vec3, f_i: Vec3, f_j: Vec3) -> Axis {
 macro_rules! zero_can_be_chosen {
     ($($joint:ident),*) => {$(
         impl $joint {
-            /// Sets the zero of the measured angle: there the direction f_i of body i lies along
-            /// f_j of body j.
+            /// Sets the zero of the measured angle: the angle is zero where the direction f_i of
+            /// body i is along f_j of body j.
             ///
-            /// Only the parts of f_i and f_j across the axis count. The call replaces the f of
-            /// `h_i`, so the last call counts. For global directions of the drawn pose, use
-            /// `m.local_direction(body, f)`.
+            /// Kin uses only the parts of f_i and f_j perpendicular to the axis. A second call
+            /// replaces the directions of the first call. For global directions of the drawn pose,
+            /// use `m.local_direction(body, f)`.
             ///
             /// [`Mechanism::add`](crate::Mechanism::add) returns an error if f_i or f_j lies along
             /// the axis.

@@ -1,4 +1,4 @@
-//! Joints with a point that moves in its body.
+//! Defines joints with a point that moves in its body.
 
 use crate::model::law::Law;
 use crate::numbers::algebra::{Vec3, vec3};
@@ -8,9 +8,10 @@ use kin_macros::constraint;
 /// − A_j ū_j = 0. \[m\]
 ///
 /// Removes 3 freedoms. `x_i`, `y_i` and `z_i` are the laws of the local position ū_i(t) in body i
-/// \[m\]. `u_j` is the local position in body j \[m\]. Lecture, "Moving Point on Rigid Body".
+/// \[m\]. `u_j` is the local position in body j \[m\]. Source: lecture notes, "Moving Point on
+/// Rigid Body".
 ///
-/// Signs: the laws are coordinates in the frame of body i.
+/// Signs: the laws give coordinates in the frame of body i.
 #[constraint]
 pub fn moving_point(
     i: Spatial,
@@ -27,11 +28,12 @@ pub fn moving_point(
 /// Holds a point that moves along a path in body i on a point of body j: R_i + A_i ū_i(s) − R_j −
 /// A_j ū_j = 0. \[m\]
 ///
-/// Removes 3 freedoms and adds one, the coordinate `s` along the path: 2 in all. `x_i`, `y_i` and
-/// `z_i` are the laws of the local position ū_i(s) in body i \[m\]. `u_j` is the local position in
-/// body j \[m\]. Lecture, "Moving Point on Rigid Body".
+/// Removes 3 freedoms and adds one coordinate, `s` along the path, so the joint removes 2 freedoms
+/// in total. `x_i`, `y_i` and `z_i` are the laws of the local position ū_i(s) in body i \[m\].
+/// `u_j` is the local position in body j \[m\]. Source: lecture notes, "Moving Point on Rigid
+/// Body".
 ///
-/// Signs: the laws are coordinates in the frame of body i. `s` grows in the direction of the path.
+/// Signs: the laws give coordinates in the frame of body i. `s` grows in the direction of the path.
 #[constraint]
 pub fn point_on_path(
     i: Spatial,

@@ -1,4 +1,4 @@
-//! Constraints of spatial bodies.
+//! Defines constraints of single spatial bodies.
 
 use kin_macros::constraint;
 
@@ -6,8 +6,9 @@ use crate::numbers::algebra::{EulerParameters, Vec3};
 
 /// Keeps the norm of a body's Euler parameters at one: pᵀ p − 1 = 0. \[–\]
 ///
-/// The row removes one coordinate, but no freedom of motion. Kin adds it to every spatial body when
-/// it builds the mechanism. Lecture, "Euler Parameters".
+/// The row removes one coordinate, but no freedom of motion.
+/// [`Mechanism::build`](crate::Mechanism::build) adds this constraint for every spatial body.
+/// Source: lecture notes, "Euler Parameters".
 ///
 /// Signs: p and −p describe the same pose.
 #[constraint]
@@ -19,11 +20,11 @@ pub fn euler_norm(b: Spatial) -> f64 {
 /// p)·(0, h) = 0. \[–\]
 ///
 /// The body may move in any other way. The row sets the twist about h of the rotation from p₀ to
-/// zero. It removes the idle rotation of a rod between two ball joints, on which nothing else
-/// depends ([`crate::Mechanism::hold_idle_turns`]). The row is singular only where h has rotated by
+/// zero. The row removes the idle rotation of a rod between two ball joints, which moves no other
+/// body ([`crate::Mechanism::hold_idle_turns`]). The row is singular only where h has rotated by
 /// 180°.
 ///
-/// P. Dobrowolski, *Swing-twist decomposition in Clifford algebra*, 2015.
+/// Source: P. Dobrowolski, *Swing-twist decomposition in Clifford algebra*, 2015.
 #[constraint]
 #[require(h.norm() > 0.0, "the axis must not be zero")]
 pub fn held_turn(b: Spatial, turn: EulerParameters, h: Vec3) -> f64 {

@@ -1,5 +1,7 @@
-//! The active part of a matrix while its elimination is recorded: entries by rows and columns, and
-//! lines by their number of entries. An entry is called a cell.
+//! Stores the active part of a matrix while Kin records its elimination: entries by rows and
+//! columns, and lines by their number of entries.
+//!
+//! An entry of the active part has the name *cell*.
 
 /// The index that means no cell, no term, no line.
 pub(crate) const NONE: u32 = u32::MAX;

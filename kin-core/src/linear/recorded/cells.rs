@@ -1,5 +1,5 @@
-//! The terms of a cell while its elimination is recorded, and the step that computes the cell at
-//! the end.
+//! Stores the terms of a cell while Kin records the elimination, and writes the step that computes
+//! the cell.
 
 use super::active::NONE;
 use super::program::Kind;

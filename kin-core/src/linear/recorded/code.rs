@@ -1,8 +1,9 @@
-//! The code of a program and its interpreter: no search, no allocation, one memory.
+//! Implements the code of a program and its interpreter, without search or allocation and with one
+//! memory.
 //!
-//! Steps of one shape follow one another in runs ([`order`](super::order) arranges them), and the
-//! interpreter has a copy for each of the common shapes. So it rarely decodes. A memory of at most
-//! 256 numbers has addresses of one byte, which need no bounds check.
+//! Steps of one shape follow one another in runs ([`order`](super::order) arranges the steps), and
+//! the interpreter has a copy for each common shape. So the interpreter rarely decodes a step. A
+//! memory of at most 256 numbers has addresses of one byte, which need no bounds check.
 
 use super::program::{Kind, Operands, Step};
 

@@ -1,5 +1,5 @@
-//! A sparse elimination that is recorded once, in a cheap order, and replayed as straight runs of a
-//! few operations.
+//! Records a sparse elimination once, in a cheap order, and replays it as straight runs of a few
+//! operations.
 
 mod active;
 mod cells;

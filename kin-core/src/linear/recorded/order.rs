@@ -1,5 +1,4 @@
-//! The order of the steps of a program: any order that keeps the results, with steps of one shape
-//! together.
+//! Orders the steps of a program without a change of the results, with steps of one shape together.
 
 use std::collections::HashMap;
 

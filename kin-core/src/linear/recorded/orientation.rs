@@ -1,11 +1,12 @@
-//! The sign of the determinant, block by block. Two solutions that meet at a singular position
-//! differ in it.
+//! Computes the sign of the determinant of each block.
 //!
-//! C_q has diagonal blocks that follow one another (a crank, then each loop that it drives), and
-//! its determinant is the product of theirs. The sign of each block shows that no loop turns over
-//! while another one does too. A block is a set of pivots that reach one another through the
-//! structure, row by row. Its rows and columns, and so its sign, do not depend on the choice of
-//! pivots.
+//! Two solutions that meet at a singular position have different signs.
+//!
+//! C_q has diagonal blocks that follow one another (a crank, then each loop that the crank drives).
+//! The determinant of C_q is the product of the determinants of the blocks. If two loops turn over
+//! at the same time, the sign of the product does not change, but the signs of both blocks do. A
+//! block is a set of pivots that reach one another through the structure, row by row. Its rows and
+//! columns, and so its sign, do not depend on the choice of pivots.
 
 use super::super::Linear;
 use super::record::{Inverse, Pivot};

@@ -1,8 +1,9 @@
-//! The program of a recorded elimination: which number is computed from which, and in what order.
+//! Describes the program of a recorded elimination: the operands of each number, and the order of
+//! computation.
 //!
 //! Each step writes one number that is a sum of products of existing numbers. The same program
-//! computes the factors, solves with them, and, backwards, solves with the transpose.
-//! [`code`](super::code) is the form that is replayed.
+//! computes the factors, solves with the factors, and, run backwards, solves with the transpose.
+//! [`code`](super::code) is the form of the program that Kin replays.
 
 use super::code::{Code, Shape};
 use super::order::{Ordered, order};

@@ -1,10 +1,10 @@
 //! Records an elimination: chooses pivots at real numbers and writes the steps of each pivot.
 //!
-//! Pivots are chosen by Markowitz' count (few cells in the row times few in the column) among those
-//! that are not small relative to the largest cell of their row. A = L U, where the rows of U are
-//! divided by their pivots if both L and U have cells. A pivot alone in its column divides at the
-//! end of back substitution instead, and a pivot alone in its row needs no back substitution.
-//! Constant cells are computed only here.
+//! Kin chooses pivots by Markowitz' count (few cells in the row times few in the column) among the
+//! cells that are not small relative to the largest cell of their row. A = L U, where the rows of U
+//! are divided by their pivots if both L and U have cells. A pivot alone in its column divides at
+//! the end of back substitution instead, and a pivot alone in its row needs no back substitution.
+//! Kin computes constant cells only once, when it records the elimination.
 
 use std::collections::HashMap;
 

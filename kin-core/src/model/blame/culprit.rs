@@ -1,12 +1,13 @@
-//! The expression that caused a value which is infinite or NaN, for an error message.
+//! Describes, for an error message, the expression that caused an infinite value or NaN.
 
 use std::fmt;
 
 use crate::model::error::surface::Surface;
 use crate::model::words::time;
 
-/// The number of an expression that is not finite. Kin checks the value first, then the
-/// derivatives.
+/// The part of an expression that is not finite: its value or a derivative.
+///
+/// Kin checks the value first, then the derivatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Part {
     /// The value.
@@ -34,9 +35,8 @@ pub struct Source {
 pub struct Culprit {
     /// The expression with its place; `None` if only the constraint is known.
     pub found: Option<Found>,
-    /// The coordinates (`slider.R_x`), parameters (`slot.k`) and the time (`t`) from which the
-    /// expression is computed. If the expression is unknown, these are all coordinates of the
-    /// constraint.
+    /// The inputs of the expression: coordinates (`slider.R_x`), parameters (`slot.k`) and the time
+    /// (`t`). If the expression is unknown, the list contains all coordinates of the constraint.
     pub inputs: Vec<(String, f64)>,
 }
 
@@ -48,13 +48,13 @@ pub struct Found {
     pub expression: String,
     /// The place of the expression; `None` if it is unknown.
     pub source: Option<Source>,
-    /// The number of the expression that is not finite.
+    /// The part of the expression that is not finite.
     pub part: Part,
-    /// The value of the expression. It is finite if only a derivative is not.
+    /// The value of the expression. The value is finite if only a derivative is infinite or NaN.
     pub value: f64,
     /// The values of the direct operands.
     pub operands: Vec<f64>,
-    /// The kind of the law that is evaluated there; `None` if the expression is not a law.
+    /// The kind of the law that the expression evaluates; `None` if the expression is not a law.
     pub law: Option<String>,
 }
 

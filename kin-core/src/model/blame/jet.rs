@@ -1,5 +1,7 @@
-//! Value and derivatives along one direction. A derivative that is structurally zero differs from
-//! one that happens to be zero: √(x² + y²) has no slope at (0, 0), although x² + y² has the slope 0
+//! Computes a value and its derivatives along one direction.
+//!
+//! A jet distinguishes a derivative that is zero for every input from a derivative that is zero at
+//! one input. For example, √(x² + y²) has no slope at (0, 0), although x² + y² has the slope 0
 //! there.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};

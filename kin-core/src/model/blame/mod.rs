@@ -1,10 +1,11 @@
-//! Finds out why a term of a constraint is infinite or NaN: the subexpression as the user wrote it,
-//! its place, and the values of its operands. Kin does this only after a failure, so kernels pay
-//! nothing for it.
+//! Finds the subexpression that makes a term of a constraint infinite or NaN, with its place and
+//! the values of its operands.
 //!
-//! On the symbolic route the equation is stored as a formula (`formula.rs`), which second-order
-//! jets evaluate. On the dual route the user's function runs again with numbers that record where
-//! they failed (`trace.rs`).
+//! Kin searches only after a failure, so the search does not slow down compiled code.
+//!
+//! On the symbolic route Kin evaluates the formula of the equation (`formula.rs`) with second-order
+//! jets. On the dual route Kin runs the user's function again with numbers that record where they
+//! failed (`trace.rs`).
 
 mod culprit;
 mod interpret;
@@ -33,17 +34,18 @@ pub struct Asked<'a> {
     pub t: f64,
     /// The local coordinates, one for each column.
     pub q: &'a [f64],
-    /// Their velocities, for [`Term::RightSide`].
+    /// The local velocities, for [`Term::RightSide`].
     pub qd: &'a [f64],
-    /// The local row.
+    /// The local row of the term.
     pub row: usize,
     /// The term that is not finite.
     pub term: Term,
-    /// For each local column whether it belongs to a coordinate; false for columns of the ground.
+    /// For each local column, true if the column belongs to a coordinate, and false if the column
+    /// belongs to the ground.
     pub moves: &'a [bool],
 }
 
-/// A value from which an expression is computed.
+/// An input of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Input {
     /// The coordinate of a local column.
@@ -62,9 +64,9 @@ pub struct Blame {
     pub expression: String,
     /// The place of the expression; `None` if it is unknown.
     pub source: Option<Source>,
-    /// The number of the expression that is not finite.
+    /// The part of the expression that is not finite.
     pub part: Part,
-    /// The value of the expression. It is finite if only a derivative is not.
+    /// The value of the expression. The value is finite if only a derivative is infinite or NaN.
     pub value: f64,
     /// The values of the direct operands.
     pub operands: Vec<f64>,

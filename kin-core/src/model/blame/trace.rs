@@ -1,5 +1,5 @@
-//! Finds the failure on the dual route: runs the user's function with numbers that record where
-//! they failed.
+//! Finds the failed expression on the dual route: runs the user's function with numbers that record
+//! where they failed.
 
 use super::{Asked, Blame, Input, Part, Source};
 use crate::model::constraint::Constraint;
@@ -9,7 +9,8 @@ use crate::numbers::real::{Fault, Real, TIME, Traced, fault_of};
 /// An expression of the user's program: its text, line and column, both counted from 1.
 pub type Expression = (&'static str, u32, u32);
 
-/// The expressions of a function that runs on dual numbers, with the file that contains them.
+/// The expressions of a function that runs on dual numbers, and the file that contains the
+/// function.
 #[derive(Clone, Copy, Debug)]
 pub struct Body {
     /// The file that contains the expressions.

@@ -1,4 +1,5 @@
-//! The facts of a constraint that hold for all parameters, known before the program runs.
+//! Describes the facts of a constraint that hold for all parameters and are known before the
+//! program runs.
 
 #[cfg(doc)]
 use super::{At, Constraint};
@@ -20,35 +21,36 @@ impl Entry {
     }
 }
 
-/// Says which terms of C(q, t) can change or be nonzero, for any q, t and parameters. The solver
-/// skips the other terms.
+/// Says which terms of C(q, t) can change or be nonzero, for any q, t and parameters.
 ///
-/// These facts are known before the program runs. `true` promises nothing, so [`Dependence::ANY`]
-/// (all `true`) is correct for every constraint.
+/// The solver skips the other terms.
+///
+/// The value `true` promises nothing, so [`Dependence::ANY`] (all `true`) is correct for every
+/// constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Dependence {
-    /// C depends on t explicitly: its value can change with t at the same q.
+    /// True if C depends on t explicitly: C can change with t at the same q.
     pub c_on_t: bool,
-    /// C_q depends on t explicitly.
+    /// True if C_q depends on t explicitly.
     pub c_q_on_t: bool,
-    /// C_t can be nonzero. If false, [`Constraint::velocity_rhs`] writes zeros.
+    /// True if C_t can be nonzero. If false, [`Constraint::velocity_rhs`] writes zeros.
     pub c_t: bool,
-    /// Q_d can be nonzero. If false, [`Constraint::acceleration_rhs`] writes zeros for every q̇ and
-    /// ṫ.
+    /// True if Q_d can be nonzero. If false, [`Constraint::acceleration_rhs`] writes zeros for
+    /// every q̇ and ṫ.
     pub q_d: bool,
-    /// C can be nonlinear in the coordinates. If false, C(q, t) = C_q q + C(0, t) with a constant
-    /// C_q.
+    /// True if C can be nonlinear in the coordinates. If false, C(q, t) = C_q q + C(0, t) with a
+    /// constant C_q.
     pub curved: bool,
 }
 
 impl Dependence {
-    /// Promises nothing: every term may change.
+    /// Promises nothing about the terms: every term may change.
     pub const ANY: Dependence =
         Dependence { c_on_t: true, c_q_on_t: true, c_t: true, q_d: true, curved: true };
 }
 
 impl Default for Dependence {
-    /// Promises nothing: every term may change.
+    /// Promises nothing about the terms: every term may change.
     fn default() -> Self {
         Dependence::ANY
     }
@@ -71,45 +73,47 @@ impl Default for Dependence {
 pub struct Facts<'a> {
     /// The kind of the constraint: the name of its function, such as `revolute`.
     pub kind: &'a str,
-    /// A description of the constraint from its documentation: a sentence with the equation, the
-    /// removed freedoms, the signs.
+    /// The documentation of the constraint: a sentence with the equation, the removed freedoms, and
+    /// the signs.
     pub description: &'a str,
-    /// The route to the derivatives and the reason for it. On the dual route the reason names the
-    /// token that the compiler cannot read.
+    /// The route to the derivatives, and the reason for the route. On the dual route the reason
+    /// names the token that the compiler cannot read.
     pub reason: RouteReason,
-    /// True for a driver: a constraint with time (the function has a [`crate::Time`] argument). Kin
-    /// also treats a hand-written constraint as a driver if its value changes with t alone.
+    /// True for a driver: a constraint whose function has a [`crate::Time`] argument. Kin also
+    /// treats a hand-written constraint as a driver if its value changes with t alone.
     pub is_driver: bool,
-    /// The names of the rows, such as `["x", "y"]`; their number is m.
+    /// The names of the m rows, such as `["x", "y"]`.
     pub rows: &'a [&'a str],
-    /// The structurally nonzero entries of C_q. [`Constraint::jacobian`] writes one value for each,
-    /// in this order.
+    /// The structurally nonzero entries of C_q. [`Constraint::jacobian`] writes one value for each
+    /// entry, in the order of the list.
     pub pattern: &'a [Entry],
     /// For each entry of the pattern, its value if the entry is constant for all q, t and
-    /// parameters (mostly 1 or −1), otherwise `None`. The solver uses constants only once. An empty
-    /// list means that no constant is known.
+    /// parameters (mostly 1 or −1), otherwise `None`. The solver writes constant entries only once.
+    /// An empty list means that no entry is known to be constant.
     pub constants: &'a [Option<f64>],
     /// The terms that can change with t or be nonzero.
     pub dependence: Dependence,
     /// The number of values in [`At::timed`] that depend only on t and parameters, such as the
     /// value and slopes of a law, or sin ω t.
     pub n_timed: usize,
-    /// The index in [`At::timed`] at which C(0, t), −C_t and −C_tt begin, m numbers each. With C_q
-    /// these numbers determine a constraint that is linear in the coordinates
-    /// ([`Dependence::curved`] is false). The solver does not evaluate the terms of such a
-    /// constraint. `None` for all other constraints.
+    /// The index in [`At::timed`] at which C(0, t), −C_t and −C_tt begin, with m numbers each;
+    /// `None` for a constraint that is nonlinear in the coordinates. Together with C_q these
+    /// numbers determine a constraint that is linear in the coordinates ([`Dependence::curved`] is
+    /// false). The solver does not evaluate the terms of a linear constraint.
     pub sides_of_time: Option<usize>,
     /// The measures of the joint besides its equations (`#[measure(slide = …, "m")]`).
     pub measures: &'a [Measured],
     /// False if [`Constraint::wrong_branch`] always returns `None`. `true` promises nothing.
     pub has_branches: bool,
-    /// True for an energy, a function with `#[potential]`. It acts as a load and holds nothing.
+    /// True for an energy, a function with `#[potential]`. An energy acts as a load and constrains
+    /// no coordinate.
     pub is_energy: bool,
 }
 
 impl<'a> Facts<'a> {
-    /// Returns the facts of a hand-written constraint of this kind that promises nothing. Rows and
-    /// pattern are empty.
+    /// Returns the facts of a hand-written constraint of this kind that promises nothing.
+    ///
+    /// The lists of rows and of pattern entries are empty.
     pub const fn of(kind: &'a str) -> Self {
         Facts {
             kind,

@@ -1,5 +1,7 @@
-//! The trait of all constraints C(q, t) = 0. Each method is a formula. [`Facts`] contains what is
-//! fixed; parameters and the written equation have separate traits.
+//! Defines the trait of all constraints C(q, t) = 0.
+//!
+//! Each method computes one formula. [`Facts`] contains the fixed facts of a constraint.
+//! [`Parameters`] and [`Written`] are separate traits for parameters and for the equation as text.
 
 mod facts;
 mod parameters;
@@ -21,15 +23,16 @@ pub struct Measured {
     pub name: &'static str,
     /// The unit, such as `m`.
     pub unit: &'static str,
-    /// True for an angle that is known only up to full revolutions. A motion counts the revolutions
-    /// from one time to the next.
+    /// True for an angle that is known only up to full revolutions. Kin counts the revolutions from
+    /// one time of a motion to the next.
     pub turns: bool,
 }
 
-/// Copies a constraint behind a `dyn Constraint`; every `Clone` constraint implements it. A sweep
-/// over many cases works on copies.
+/// Copies a constraint behind a `dyn Constraint`, because a sweep over many cases works on copies.
+///
+/// Every constraint that implements `Clone` implements this trait.
 pub trait CloneBoxed {
-    /// Returns the copy.
+    /// Returns a copy of the constraint.
     fn clone_boxed(&self) -> Box<dyn Constraint>;
 }
 
@@ -47,9 +50,10 @@ impl Clone for Box<dyn Constraint> {
 
 /// A constraint C(q, t) = 0 with m rows on the coordinates of its arguments.
 ///
-/// Columns are local: those of the first argument come first. A planar body has 3 columns, a
-/// spatial body 7, a scalar coordinate 1; the ground has columns too. Output slices have the stated
-/// lengths; a method leaves a shorter slice unchanged. Entries are in the unit of their row.
+/// Columns are local: the columns of the first argument come first. A planar body has 3 columns, a
+/// spatial body 7, and a scalar coordinate 1. The ground has columns too. Output slices have the
+/// stated lengths, and a method does not change a shorter slice. Entries are in the unit of their
+/// row.
 pub trait Constraint: CloneBoxed + Send + Sync {
     /// Returns the fixed facts: names, the shape of the terms, and promises about them.
     fn facts(&self) -> Facts<'_>;
@@ -57,8 +61,9 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// Returns the bodies and coordinates of the constraint, in the order of its signature.
     fn arguments(&self) -> Vec<Argument>;
 
-    /// Writes the [`Facts::n_timed`] numbers that depend on time t into `timed`. The solver calls
-    /// this once for each time, before all other methods.
+    /// Writes the [`Facts::n_timed`] numbers that depend on time t into `timed`.
+    ///
+    /// The solver calls this method once for each time, before all other methods.
     fn at_time(&self, t: f64, timed: &mut [f64]) {
         let _ = (t, timed);
     }
@@ -69,7 +74,9 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// Writes C_q(q, t) into `c_q`, one value for each entry of the pattern.
     fn jacobian(&self, at: &At<'_>, c_q: &mut [f64]);
 
-    /// Writes C and C_q together. Override it if that saves work.
+    /// Writes C and C_q together.
+    ///
+    /// Override this method if both are faster to compute together.
     fn linearize(&self, at: &At<'_>, c: &mut [f64], c_q: &mut [f64]) {
         self.residual(at, c);
         self.jacobian(at, c_q);
@@ -87,8 +94,9 @@ pub trait Constraint: CloneBoxed + Send + Sync {
     /// Writes the right side of C_q q⃛ = −g‴(0) for the jerk into `rhs` (length m), with g(s) = C(q
     /// + s q̇ + ½ s² q̈, t + s). \[row/s³\]
     ///
-    /// Returns false and writes nothing if the right side is unknown, which is the default without
-    /// a formula. A run that computes the jerk then ends with an error that names the constraint.
+    /// Returns false and writes nothing if the right side is unknown. The default implementation
+    /// knows the right side only if the constraint has a formula. If the right side is unknown, a
+    /// run that computes the jerk ends with an error that names the constraint.
     fn jerk_rhs(&self, at: &At<'_>, qd: &Rates<'_>, qdd: &Rates<'_>, rhs: &mut [f64]) -> bool {
         let Some(written) = self.parts().written else { return false };
         written.jerk_rhs(&self.arguments(), at, [qd, qdd], rhs)
@@ -101,26 +109,31 @@ pub trait Constraint: CloneBoxed + Send + Sync {
         [f64::NAN; 4]
     }
 
-    /// Returns what is wrong with a position that satisfies C = 0 on the wrong branch, such as an
-    /// axis turned by 180°. The solver calls this after it finds a position.
+    /// Returns a description of the mistake if a position satisfies C = 0 on the wrong branch, such
+    /// as an axis turned by 180°.
+    ///
+    /// The solver calls this method after it finds a position.
     fn wrong_branch(&self, at: &At<'_>) -> Option<&str> {
         let _ = at;
         None
     }
 
-    /// Returns the additional traits of the constraint. The default has none.
+    /// Returns the additional traits of the constraint. By default a constraint has none.
     fn parts(&self) -> Parts<'_> {
         Parts::default()
     }
 
-    /// Returns the parameters, mutable. [`Parts::parameters`] returns them shared.
+    /// Returns mutable access to the parameters, or `None` if the constraint has none.
+    ///
+    /// [`Parts::parameters`] gives read access.
     fn parameters_mut(&mut self) -> Option<&mut dyn Parameters> {
         None
     }
 }
 
-/// The additional traits of a constraint. A field is `None` if the constraint does not implement
-/// the trait.
+/// The additional traits of a constraint.
+///
+/// A field is `None` if the constraint does not implement the trait.
 #[derive(Clone, Copy, Default)]
 pub struct Parts<'a> {
     /// The parameters, which callers read by name.

@@ -1,24 +1,26 @@
-//! The numeric parameters of a constraint: reads and sets them by name, checks them, writes them as
-//! data.
+//! Reads, sets, checks and writes the numeric parameters of a constraint.
 
 use super::Constraint;
 use crate::model::describer::Describer;
 use crate::model::dimension::Bindings;
 use crate::model::law::Law;
 
-/// The parameters of a constraint. [`Constraint::parts`] returns them; compiled constraints
-/// implement this trait.
+/// The numeric parameters of a constraint.
+///
+/// Compiled constraints implement this trait. [`Constraint::parts`] returns the implementation.
 pub trait Parameters {
     /// Passes each numeric parameter and its name (`k`, `u_i.x`, `c[2]`) to `visit`.
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64));
 
-    /// Sets one numeric parameter by a name from [`Parameters::parameters`]. Returns false if there
-    /// is no such name.
+    /// Sets one numeric parameter by a name from [`Parameters::parameters`].
+    ///
+    /// Returns false if no parameter has this name.
     fn set_parameter(&mut self, name: &str, value: f64) -> bool;
 
-    /// Sets one numeric parameter by its index in the order of [`Parameters::parameters`]. Returns
-    /// false if there is none. The default searches the name; compiled constraints use the index
-    /// directly.
+    /// Sets one numeric parameter by its index in the order of [`Parameters::parameters`].
+    ///
+    /// Returns false if no parameter has this index. The default implementation searches for the
+    /// name; compiled constraints use the index directly.
     fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
         let mut number = 0;
         let mut wanted = None;
@@ -38,26 +40,30 @@ pub trait Parameters {
         false
     }
 
-    /// Returns the ends of the range of measure k of [`super::Facts::measures`], if it has a range,
-    /// such as that of a slot.
+    /// Returns the ends of the range of measure k of [`super::Facts::measures`], if the measure has
+    /// a range, such as the slide of a slot.
     fn ends(&self, k: usize) -> Option<[f64; 2]> {
         let _ = k;
         None
     }
 
-    /// Returns the reason why the parameters are invalid, if there is one. The error of the
-    /// mechanism contains this text.
+    /// Returns the reason if the parameters are invalid.
+    ///
+    /// The error of the mechanism contains this text.
     fn refusal(&self) -> Option<String> {
         None
     }
 
-    /// Removes and returns the parameters that are expressions of dimensions. The default has none.
+    /// Removes and returns the parameters that are expressions of dimensions.
+    ///
+    /// The default implementation returns an empty list.
     fn take_bindings(&mut self) -> Bindings {
         Bindings::NONE
     }
 
-    /// Writes each parameter under its name, so that a file can contain the constraint. The default
-    /// refuses.
+    /// Writes each parameter under its name, so that a file can contain the constraint.
+    ///
+    /// The default implementation records that the constraint cannot be described.
     fn describe(&self, to: &mut Describer) {
         to.refuse(UNKNOWN);
     }

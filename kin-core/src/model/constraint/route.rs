@@ -1,4 +1,4 @@
-//! The two routes to the derivatives of a constraint, and the reason for a route.
+//! Describes the routes to the derivatives of a constraint, and the reason for a route.
 
 use std::fmt;
 
@@ -8,11 +8,12 @@ use crate::model::blame::Source;
 /// The way to obtain the derivatives of a constraint.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Route {
-    /// Straight-line code that `#[constraint]` differentiates at compile time.
+    /// `#[constraint]` differentiates the equation at compile time to straight-line code.
     Symbolic,
-    /// The user's equation, evaluated with dual numbers.
+    /// Kin evaluates the user's equation with dual numbers.
     Dual,
-    /// Code written by hand: an `impl Constraint` without the macro.
+    /// The program computes the derivatives by hand-written code: an `impl Constraint` without the
+    /// macro.
     Hand,
 }
 
@@ -32,8 +33,9 @@ impl fmt::Display for Route {
 pub enum RouteReason {
     /// [`Route::Symbolic`]: the compiler reads the whole body.
     Read,
-    /// [`Route::Symbolic`]: the compiler reads the body, except functions and constants defined
-    /// elsewhere in the program. Dual numbers give the values and derivatives of these functions.
+    /// [`Route::Symbolic`]: the compiler reads the body, except functions and constants that the
+    /// program defines elsewhere. Kin evaluates these functions and their derivatives with dual
+    /// numbers.
     ReadBut {
         /// Each function and constant, with its token.
         outside: &'static [(&'static str, Source)],
@@ -55,13 +57,16 @@ pub enum RouteReason {
     Hand,
 }
 
-/// The route of any constraint. The prelude contains this trait.
+/// Returns the route of any constraint.
+///
+/// The prelude contains this trait.
 pub trait Routed {
     /// Returns the route to the derivatives.
     fn route(&self) -> Route;
 
-    /// Returns the reason for the route. On the dual route it names the token that the compiler
-    /// cannot read.
+    /// Returns the reason for the route.
+    ///
+    /// On the dual route the reason names the token that the compiler cannot read.
     fn explain_route(&self) -> RouteReason;
 }
 

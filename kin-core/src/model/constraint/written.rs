@@ -1,5 +1,5 @@
-//! The equation of a constraint as the user wrote it: its formula as data, its points, and the
-//! expression that fails.
+//! Describes the equation of a constraint as the user wrote it: the formula as data, the points,
+//! and the expression that fails.
 
 use super::Constraint;
 use crate::model::blame::{Asked, Blame};
@@ -20,7 +20,7 @@ pub struct Attachment {
     pub what: Attached,
 }
 
-/// A local point or direction; z is 0 in planar bodies.
+/// A point or direction in the frame of its body; z is 0 in planar bodies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Attached {
     /// ū of `b.point(u)`.   \[m\]
@@ -29,38 +29,46 @@ pub enum Attached {
     Direction(Vec3),
 }
 
-/// The equation as the user wrote it. [`Constraint::parts`] returns it; compiled constraints
-/// implement this trait.
+/// The equation of a constraint as the user wrote it.
+///
+/// Compiled constraints implement this trait. [`Constraint::parts`] returns the implementation.
 pub trait Written {
-    /// Returns the points and directions of bodies in the equation, for drawings and messages:
-    /// `b.point(u)` and `b.direction(h)` with a constant u or h. The default list is empty: they
-    /// are unknown.
+    /// Returns the points and directions of bodies in the equation, for drawings and messages.
+    ///
+    /// The list contains `b.point(u)` and `b.direction(h)` with a constant u or h. The default list
+    /// is empty, because the points and directions are unknown.
     fn attachments(&self) -> Vec<Attachment> {
         Vec::new()
     }
 
-    /// Returns the subexpression that makes a term infinite or NaN, as the user wrote it. Kin calls
-    /// this only after a failure. Returns `None` if it is unknown.
+    /// Returns the subexpression that makes a term infinite or NaN, as the user wrote it.
+    ///
+    /// Returns `None` if the subexpression is unknown. Kin calls this method only after a failure.
     fn blame(&self, asked: &Asked<'_>) -> Option<Blame> {
         let (table, parameters) = self.table()?;
         table.blame(asked, &parameters, &|number, x, to| self.outside(number, x, to))
     }
 
-    /// Passes each law of the equation to `visit`, with its name and its argument. On the dual
-    /// route the laws are unknown.
+    /// Passes each law of the equation to `visit`, with its name and its argument.
+    ///
+    /// The method passes no law on the dual route, because the laws are unknown.
     fn laws(&self, at: &At<'_>, visit: &mut dyn FnMut(&str, &Law, f64)) {
         let _ = (at, visit);
     }
 
-    /// Returns the formula and the values of its parameters. Compiled constraints on the symbolic
-    /// route have a formula; the default is `None`.
+    /// Returns the formula and the values of its parameters, or `None` without a formula.
+    ///
+    /// Compiled constraints on the symbolic route have a formula.
     #[doc(hidden)]
     fn table(&self) -> Option<(&Table, Vec<f64>)> {
         None
     }
 
-    /// Computes a value that only the user's program knows, by its index in the formula. The
-    /// default does nothing; the macro implements it together with the formula.
+    /// Computes a value that only the user's program knows, by the index of the value in the
+    /// formula.
+    ///
+    /// The default implementation does nothing. The macro implements this method together with the
+    /// formula.
     #[doc(hidden)]
     fn outside(&self, number: usize, x: &[Dual3_64], to: &mut Given) {
         let _ = (number, x, to);

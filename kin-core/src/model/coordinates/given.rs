@@ -1,5 +1,8 @@
-//! Traits of the bodies, coordinates and axes that a constructor of a constraint accepts. They
-//! replace `Into`, so that rustc prints a helpful message for a wrong argument.
+//! Defines the traits of the bodies, coordinates and axes that a constructor of a constraint
+//! accepts.
+//!
+//! Constructors use these traits instead of `Into`, so that rustc prints a helpful message for a
+//! wrong argument.
 
 use super::{Coordinate, PlanarBody, SpatialBody};
 use crate::model::dimension::{Bindings, Dimension, IntoNumber};
@@ -63,15 +66,17 @@ impl<T: Into<Coordinate>> IntoCoordinate for T {
     }
 }
 
-/// A value that gives an axis: a [`crate::Vec3`] along it, an [`Axis`], any `Into<Axis>`, or the
-/// same types made of [`Dimension`]s.
+/// A value that gives an axis: a [`crate::Vec3`] along the axis, an [`Axis`], any `Into<Axis>`, or
+/// one of these types with [`Dimension`]s as components.
 #[diagnostic::on_unimplemented(
     message = "expected an axis, but found `{Self}`",
     label = "not an axis",
     note = "give a vector along the axis, `vec3(0.0, 0.0, 1.0)`, or `Axis::new(h, f)` with a second vector f across the axis"
 )]
 pub trait IntoAxis {
-    /// Returns the axis. If its directions depend on dimensions, they are recorded under `name`.
+    /// Returns the axis.
+    ///
+    /// If the directions of the axis depend on dimensions, the method records them under `name`.
     fn into_axis(self, name: &str, to: &mut Bindings) -> Axis;
 }
 

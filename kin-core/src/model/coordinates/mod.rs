@@ -1,4 +1,4 @@
-//! The handles of bodies and coordinates, which a mechanism returns and constraints store.
+//! Defines the handles of bodies and coordinates, which a mechanism returns and constraints store.
 
 mod given;
 
@@ -6,24 +6,31 @@ use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 
 pub use given::{IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody};
 
-/// Marks a planar body in the signature of a `#[constraint]` function. The constructor accepts a
-/// [`PlanarBody`].
+/// Marks a planar body in the signature of a `#[constraint]` function.
+///
+/// The constructor of the constraint accepts a [`PlanarBody`] for this argument.
 pub enum Planar {}
-/// Marks a spatial body in the signature of a `#[constraint]` function. The constructor accepts a
-/// [`SpatialBody`].
+/// Marks a spatial body in the signature of a `#[constraint]` function.
+///
+/// The constructor of the constraint accepts a [`SpatialBody`] for this argument.
 pub enum Spatial {}
-/// Marks a scalar generalised coordinate in the signature of a `#[constraint]` function. The
-/// constructor accepts a [`Coordinate`].
+/// Marks a scalar generalised coordinate in the signature of a `#[constraint]` function.
+///
+/// The constructor of the constraint accepts a [`Coordinate`] for this argument.
 pub enum Coord {}
-/// Marks the time t in the signature of a `#[constraint]` function. \[s\] The constructor has no
-/// argument for it.
+/// Marks the time t in the signature of a `#[constraint]` function. \[s\]
+///
+/// The constructor of the constraint has no argument for the time.
 pub enum Time {}
-/// Marks, in the signature of a `#[force]` function, the velocity of the length or angle along
-/// which the force acts. \[m/s, rad/s\] The constructor has no argument for it.
+/// Marks the velocity of the length or angle along which a force acts, in the signature of a
+/// `#[force]` function. \[m/s, rad/s\]
+///
+/// The constructor of the force has no argument for the velocity.
 pub enum Rate {}
 
-/// The mechanism to which a handle belongs. Handles of the ground and placeholders belong to all
-/// mechanisms.
+/// The mechanism to which a handle belongs.
+///
+/// A handle of the ground or a placeholder belongs to all mechanisms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct MechanismId(pub(crate) u64);
 
@@ -55,7 +62,7 @@ pub struct SpatialBody {
     pub(crate) index: Option<usize>,
 }
 
-/// A scalar generalised coordinate: a separate one, or a coordinate of a body.
+/// A scalar generalised coordinate: a separate coordinate, or a coordinate of a body.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Coordinate {
     /// A separate coordinate ([`crate::Mechanism::angle`], [`crate::Mechanism::length`]).
@@ -75,21 +82,22 @@ pub enum Coordinate {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Ground;
 
-/// A planar body between two pins, with its frame in the middle and the x-axis from start to end.
+/// A planar body between two pins, with its frame in the middle and its x-axis from the first pin
+/// to the second.
 ///
-/// Its length is a number or a [`crate::Dimension`]; then its pins are expressions of that
-/// dimension.
+/// The length is a number or a [`crate::Dimension`]. If the length is a dimension, the local
+/// positions of both ends are expressions of that dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Link<L = f64> {
     pub(crate) body: PlanarBody,
     pub(crate) length: L,
 }
 
-/// A spatial body between two joints, with its frame in the middle and the x-axis from start to
-/// end.
+/// A spatial body between two joints, with its frame in the middle and its x-axis from the first
+/// joint to the second.
 ///
-/// Its length is a number or a [`crate::Dimension`]; then its joints are expressions of that
-/// dimension.
+/// The length is a number or a [`crate::Dimension`]. If the length is a dimension, the local
+/// positions of both ends are expressions of that dimension.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpatialLink<L = f64> {
     pub(crate) body: SpatialBody,
@@ -213,20 +221,23 @@ impl From<Ground> for SpatialBody {
     }
 }
 
-/// Returns a planar body of no mechanism, to check a constraint alone. Each call returns a new
-/// body.
+/// Returns a planar body that belongs to no mechanism, to check a constraint alone.
+///
+/// Each call returns a new body.
 pub fn any_planar() -> PlanarBody {
     PlanarBody { mechanism: MechanismId::ANY, index: Some(placeholder()) }
 }
 
-/// Returns a spatial body of no mechanism, to check a constraint alone. Each call returns a new
-/// body.
+/// Returns a spatial body that belongs to no mechanism, to check a constraint alone.
+///
+/// Each call returns a new body.
 pub fn any_spatial() -> SpatialBody {
     SpatialBody { mechanism: MechanismId::ANY, index: Some(placeholder()) }
 }
 
-/// Returns a scalar coordinate of no mechanism, to check a constraint alone. Each call returns a
-/// new coordinate.
+/// Returns a scalar coordinate that belongs to no mechanism, to check a constraint alone.
+///
+/// Each call returns a new coordinate.
 pub fn any_coord() -> Coordinate {
     Coordinate::Own { mechanism: MechanismId::ANY, index: placeholder() }
 }

@@ -1,4 +1,6 @@
-//! Operators and functions of dimensions. Each computes the value and records the operation.
+//! Implements the operators and functions of dimensions.
+//!
+//! Each operator and function computes the value and records the operation.
 
 use std::fmt;
 use std::iter::Sum;

@@ -6,7 +6,9 @@ use super::{Dimension, IntoNumber, Of};
 use crate::model::law::Law;
 use crate::numbers::algebra::Axis;
 
-/// The name of a number in a constraint. Its text is built only when it is needed.
+/// The name of a number in a constraint.
+///
+/// Kin builds the text of the name only when a number depends on dimensions.
 pub enum Name<'a> {
     /// A parameter: `k`.
     Own(&'a str),
@@ -26,11 +28,10 @@ impl fmt::Display for Name<'_> {
     }
 }
 
-/// The numbers of one constraint that are expressions of dimensions, each with the name of its
-/// parameter.
+/// The parameters of one constraint that are expressions of dimensions, by name.
 ///
-/// Most constraints have none, and an empty list needs no heap. [`crate::Mechanism::add`] removes
-/// the list from the constraint.
+/// Most constraints have no such parameter, and an empty list needs no memory on the heap.
+/// [`crate::Mechanism::add`] removes the list from the constraint.
 #[derive(Clone, Default)]
 pub struct Bindings(Vec<(String, Dimension)>);
 
@@ -59,8 +60,8 @@ impl Bindings {
             .map(|x| self.note(&Name::Field(&Name::Own(name), names.next().unwrap_or_default()), x))
     }
 
-    /// Returns the values of the parameters `name[first]`, `name[first + 1]`, … and records those
-    /// that depend on dimensions.
+    /// Returns the values of the parameters `name[first]`, `name[first + 1]`, … and records the
+    /// parameters that depend on dimensions.
     pub fn list(
         &mut self,
         name: &str,
@@ -74,9 +75,11 @@ impl Bindings {
             .collect()
     }
 
-    /// Returns the axis with these components of its direction, optionally followed by the
-    /// components of a second direction. If one component depends on dimensions, all are recorded,
-    /// as `NAME.h.x`, …, `NAME.f.z`.
+    /// Returns the axis with the given components of its direction, optionally followed by the
+    /// components of a second direction.
+    ///
+    /// If one component depends on dimensions, the method records all components, as `NAME.h.x`, …,
+    /// `NAME.f.z`.
     pub fn axis(&mut self, name: &str, given: &[Dimension]) -> Axis {
         if given.iter().any(|number| number.of() != Of::Nothing) {
             self.0.extend(

@@ -1,4 +1,4 @@
-//! Describes where the numbers are that depend on dimensions.
+//! Describes where a mechanism stores the numbers that depend on dimensions.
 
 /// The place of a number that depends on dimensions.
 #[derive(Clone, Debug, PartialEq)]

@@ -10,11 +10,12 @@ pub enum Distribution {
     /// Normal with σ = T/3: 0.27 % of all values deviate by more than T.
     #[default]
     Normal,
-    /// Normal, but without the values that deviate by more than T: inspection has removed them.
+    /// Normal with σ = T/3, without the values that deviate by more than T, because inspection
+    /// removes them.
     TruncatedNormal,
     /// Uniform from −T to T.
     Uniform,
-    /// Uniform in the disc of radius T. It applies to the two dimensions of a clearance
+    /// Uniform in the disc of radius T, for the two dimensions of a clearance
     /// ([`crate::Mechanism::clearance`]).
     Disc,
 }

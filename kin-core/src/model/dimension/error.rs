@@ -1,10 +1,12 @@
-//! Mistakes in dimensions. Each message names the dimension.
+//! Describes mistakes in dimensions.
+//!
+//! Each message names the dimension.
 
-/// A dimension that is invalid, unused or used in the wrong place.
+/// A dimension is invalid, unused or used in the wrong place.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DimensionError {
-    /// A dimension on which no number of the mechanism depends.
+    /// No number of the mechanism depends on a declared dimension.
     #[error(
         "no number of the mechanism depends on the dimension `{name}`. Use the dimension in a link, a joint or a law, or remove it"
     )]
@@ -13,7 +15,7 @@ pub enum DimensionError {
         name: String,
     },
 
-    /// A value, range or tolerance that is not finite or makes no sense.
+    /// A value, range or tolerance of a dimension is not finite or makes no sense.
     #[error("{}: {reason}", dimension(.name))]
     Invalid {
         /// The dimension.
@@ -22,7 +24,7 @@ pub enum DimensionError {
         reason: String,
     },
 
-    /// A dimension of another mechanism.
+    /// A number depends on a dimension of another mechanism.
     #[error(
         "`{place}` has a dimension that does not belong to \"{mechanism}\". Use only dimensions that belong to \"{mechanism}\""
     )]

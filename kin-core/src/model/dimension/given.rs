@@ -1,4 +1,5 @@
-//! Traits of the numbers that constructors accept: plain numbers or expressions of dimensions.
+//! Defines the traits of the numbers that constructors accept: plain numbers or expressions of
+//! dimensions.
 
 use std::ops::{Add, Div, Mul, Sub};
 
@@ -31,16 +32,16 @@ impl IntoNumber for Dimension {
     }
 }
 
-/// A value for a parameter of type `T` of a constraint or law: a `T`, or the same type made of
-/// [`Dimension`]s.
+/// A value for a parameter of type `T` of a constraint or law: a `T`, or the same type with
+/// [`Dimension`]s as numbers.
 #[diagnostic::on_unimplemented(
     message = "expected a `{T}`, but found `{Self}`",
     label = "not a `{T}`",
     note = "write numbers with a decimal point, such as `1.0`; where one component is a `Dimension`, convert the other components: `0.0.into()`"
 )]
 pub trait IntoParameter<T> {
-    /// Returns the parameter. Numbers that depend on dimensions are recorded under the parameter's
-    /// name.
+    /// Returns the parameter and records the numbers that depend on dimensions under the
+    /// parameter's name.
     fn into_parameter(self, name: &Name<'_>, to: &mut Bindings) -> T;
 }
 
@@ -136,7 +137,7 @@ impl<S: IntoNumber> IntoParameter<Mat3> for [[S; 3]; 3] {
     note = "write `vec2(1.0, 2.0)` for a vector in the plane and `vec3(1.0, 2.0, 3.0)` in space"
 )]
 pub trait IntoVector<V> {
-    /// Returns the components; in a plane the third is zero.
+    /// Returns the three components; the third component is zero in a plane.
     #[doc(hidden)]
     fn numbers(self) -> [Dimension; 3];
 }
@@ -160,7 +161,7 @@ impl<C: Components<3, Scalar: IntoNumber>> IntoVector<Vec3> for C {
     label = "write `vec2(0.0, -9.81)` in the plane, or `vec3(0.0, 0.0, -9.81)` in space"
 )]
 pub trait IntoGravity {
-    /// Returns the components; in a plane the third is zero.
+    /// Returns the three components; the third component is zero in a plane.
     #[doc(hidden)]
     fn numbers(self) -> [Dimension; 3];
 }

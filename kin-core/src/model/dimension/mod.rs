@@ -1,4 +1,5 @@
-//! Named dimensions and expressions of them. Other numbers of a mechanism depend on them.
+//! Defines named dimensions and expressions of dimensions, on which other numbers of a mechanism
+//! depend.
 
 mod arithmetic;
 mod bindings;
@@ -47,8 +48,8 @@ pub(crate) use text::text_of;
 /// # }
 /// ```
 ///
-/// Comparisons use the value at the nominal values of the dimensions. Arithmetic is recorded, so
-/// [`crate::System::set`] can repeat it with new values.
+/// Comparisons use the value at the nominal values of the dimensions. A `Dimension` records its
+/// arithmetic, so [`crate::System::set`] can repeat the arithmetic with new values.
 #[derive(Clone, Copy)]
 pub struct Dimension {
     value: f64,
@@ -68,7 +69,7 @@ pub(crate) enum Of {
 }
 
 impl Dimension {
-    /// Returns the value at the nominal values of the dimensions.
+    /// Returns the value of the expression at the nominal values of the dimensions.
     pub fn value(self) -> f64 {
         self.value
     }
@@ -81,7 +82,8 @@ impl Dimension {
         Dimension { value, of: Of::Expression(mechanism, node) }
     }
 
-    /// Sets the range that [`crate::System::set`] accepts, both ends included.
+    /// Sets the range of values that [`crate::System::set`] accepts, both ends included.
+    ///
     /// [`Mechanism::build`](crate::Mechanism::build) returns an error if the range excludes the
     /// nominal value.
     pub fn within(self, from: f64, to: f64) -> Self {
@@ -89,20 +91,23 @@ impl Dimension {
     }
 
     /// Sets the tolerance: the actual value deviates from the nominal value by at most ±
-    /// `tolerance`. [`Mechanism::build`](crate::Mechanism::build) returns an error if it is
-    /// negative or not finite.
+    /// `tolerance`.
+    ///
+    /// [`Mechanism::build`](crate::Mechanism::build) returns an error if the tolerance is negative
+    /// or not finite.
     pub fn tolerance(self, tolerance: f64) -> Self {
         self.describe(|entry| entry.tolerance = Some(tolerance))
     }
 
-    /// Sets the distribution within the tolerance; the default is normal. [`Distribution::Disc`] is
-    /// for clearances only. [`Mechanism::build`](crate::Mechanism::build) returns an error if
-    /// another dimension has it.
+    /// Sets the distribution within the tolerance; the default is normal.
+    ///
+    /// [`Distribution::Disc`] is for clearances only: [`Mechanism::build`](crate::Mechanism::build)
+    /// returns an error if any other dimension has this distribution.
     pub fn distributed(self, distribution: Distribution) -> Self {
         self.describe(|entry| entry.distribution = Some(distribution))
     }
 
-    /// Sets the unit that tables and files show. Kin converts nothing.
+    /// Sets the unit that tables and files show. Kin does not convert the value.
     pub fn unit(self, unit: &str) -> Self {
         self.describe(|entry| entry.unit = unit.to_string())
     }

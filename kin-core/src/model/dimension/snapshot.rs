@@ -1,4 +1,5 @@
-//! The dimensions of a system: the numbers that depend on them, their values and their slopes.
+//! Holds the dimensions of a system, and the numbers that depend on the dimensions, with values and
+//! derivatives.
 
 use kin_graph::{Graph, Input, LeafUse, Node, Number, Op, Source, evaluate};
 

@@ -1,7 +1,8 @@
-//! Stores the dimensions of a mechanism while the user describes it. Operators write expressions
-//! into the graph of the mechanism, but they see only handles that are `Copy`. They find the graph
-//! through the number of the mechanism, in a table of all mechanisms that have dimensions and still
-//! exist.
+//! Stores the dimensions of a mechanism while the user describes the mechanism.
+//!
+//! Operators write expressions into the graph of the mechanism, but the operands are only handles
+//! that are `Copy`. An operator finds the graph by the number of the mechanism, in a table of all
+//! existing mechanisms with dimensions.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError, Weak};

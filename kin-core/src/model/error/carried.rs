@@ -1,5 +1,5 @@
-//! The data that an error of a run carries: the motion before the failure and the diagnosis of the
-//! mechanism.
+//! Returns the data that an error of a run carries: the motion before the failure and the diagnosis
+//! of the mechanism.
 
 use super::Error;
 use crate::model::motion::Motion;

@@ -1,4 +1,6 @@
-//! Errors. Each message names the time and the constraint, says what is wrong, and says what to do.
+//! Defines the errors of Kin.
+//!
+//! Each message names the time and the constraint, says what is wrong, and says what to do.
 
 use std::path::PathBuf;
 
@@ -13,8 +15,9 @@ pub use cannot_reach::CannotReach;
 pub use carried::Result;
 pub use other_motion::OtherMotion;
 
-/// An error of Kin. `Debug` prints the same text as `Display`, so an error that `main` returns is
-/// readable.
+/// An error of Kin.
+///
+/// `Debug` prints the same text as `Display`, so an error that `main` returns is readable.
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -50,7 +53,8 @@ pub enum Error {
         /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// C_q has no inverse at a position: a toggle, a change point, a mechanism wrongly constrained.
+    /// C_q has no inverse at a position: the position is a toggle or a change point, or the
+    /// constraints of the mechanism are wrong.
     #[error("{}{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n],
         [.movable, .dependent], .unmet)), text::drawn(*.drawn), text::computed_before(.motion))]
     SingularAt {
@@ -147,7 +151,7 @@ pub enum Error {
         /// The motion computed before the failure.
         motion: Option<Box<Motion>>,
     },
-    /// A constraint gave a value or derivative that is infinite or not a number.
+    /// A constraint returned a value or derivative that is infinite or not a number.
     #[error("{quantity} of `{constraint}`{} is not finite at t = {}{culprit}{}", words::row(.row), words::at(*.t, .units), text::computed_before(.motion))]
     NotFinite {
         /// Time.   \[s\]
@@ -188,7 +192,7 @@ pub enum Error {
         reason: String,
     },
 
-    /// An initial or other value given for a coordinate is infinite or not a number.
+    /// The program gives a coordinate an initial or other value that is infinite or not a number.
     #[error("the value of {coordinate} for `{name}` is {value}. Give a finite number")]
     InitialNotFinite {
         /// The body or bare coordinate.
@@ -199,7 +203,7 @@ pub enum Error {
         value: f64,
     },
 
-    /// A link must have a length above zero.
+    /// The length of a link is not positive.
     #[error("the link `{link}` has the length {length}. Give a length above zero")]
     InvalidLength {
         /// The link.
@@ -219,7 +223,7 @@ pub enum Error {
         argument: String,
     },
 
-    /// The same body or coordinate is in a constraint twice.
+    /// A constraint contains the same body or coordinate twice.
     #[error("{}", text::repeated([constraint, first, second, name]))]
     RepeatedBody {
         /// The constraint.
@@ -232,7 +236,7 @@ pub enum Error {
         name: String,
     },
 
-    /// An equation left without coordinates, because all its bodies are the ground.
+    /// An equation contains no coordinates, because all its bodies are the ground.
     #[error("`{constraint}`{} depends on no coordinate: {reason}", words::row(.row))]
     NoCoordinates {
         /// The constraint.
@@ -263,7 +267,7 @@ pub enum Error {
         reason: String,
     },
 
-    /// A name given twice.
+    /// Two things of a mechanism have the same name.
     #[error("two {what} have the name `{name}`. Give the two {what} different names")]
     DuplicateName {
         /// "bodies or coordinates", "constraints", "outputs".
@@ -277,7 +281,7 @@ pub enum Error {
         /// The kind of thing that has no name, such as "body".
         what: &'static str,
     },
-    /// No thing has this name.
+    /// The mechanism contains nothing with the requested name.
     #[error("there is no {what} `{name}`{}", text::known(.known))]
     UnknownName {
         /// The kind of thing that Kin looked for.
@@ -301,8 +305,8 @@ pub enum Error {
         reason: String,
     },
 
-    /// Motions need more memory than [`crate::SolverOptions::memory`] allows. Kin has computed
-    /// nothing.
+    /// Motions need more memory than [`crate::SolverOptions::memory`] allows, so Kin has not
+    /// started the computation.
     #[error("{}", text::needs_memory([*.motions, *.times, *.coordinates], [*.needed, *.allowed as f64]))]
     NeedsMemory {
         /// The number of motions that exist at the same time: one for each thread of a sweep.
@@ -317,7 +321,7 @@ pub enum Error {
         allowed: usize,
     },
 
-    /// A case of a sweep with a number that is infinite or not a number.
+    /// A case of a sweep contains a number that is infinite or not a number.
     #[error("case {case}: `{name}` is {value}. Give a finite number")]
     CaseNotFinite {
         /// The case, counted from 0.
@@ -328,7 +332,7 @@ pub enum Error {
         value: f64,
     },
 
-    /// A condition stopped a sweep or a run ([`crate::solver::Sweep::stop_when`],
+    /// A stop condition ended a sweep or a run ([`crate::solver::Sweep::stop_when`],
     /// [`crate::Solver::stop_when`]).
     #[error("{}{}", text::stopped([*.done, *.all], .motion), text::computed_before(.motion))]
     Stopped {
@@ -339,7 +343,7 @@ pub enum Error {
         /// The motion that a run had computed; `None` for a sweep.
         motion: Option<Box<Motion>>,
     },
-    /// A list of the wrong length.
+    /// A list has the wrong length.
     #[error("{what} has {found} values, but Kin needs {expected}")]
     WrongLength {
         /// The list.
@@ -349,7 +353,7 @@ pub enum Error {
         /// The given length.
         found: usize,
     },
-    /// An output with a value that is infinite or not a number.
+    /// An output contains a value that is infinite or not a number.
     #[error("the output `{output}` is {value} at t = {}. Give an output that is finite at each time", words::at(*.t, .units))]
     OutputNotFinite {
         /// The output.
@@ -365,11 +369,12 @@ pub enum Error {
     /// Two ways to compute a derivative disagree ([`crate::ask::check::compare`]).
     #[error(transparent)]
     Mismatch(#[from] Box<crate::model::mismatch::Mismatch>),
-    /// A derivative by a parameter that does not exist, or whose derivative is unknown
-    /// ([`crate::System::sensitivities`]).
+    /// Kin cannot differentiate by a parameter: the parameter does not exist, or its derivative is
+    /// unknown ([`crate::System::sensitivities`]).
     #[error(transparent)]
     NoDerivative(#[from] Box<crate::model::no_derivative::NoDerivative>),
-    /// Redundant constraints share a force ([`crate::forces::Forces`]).
+    /// A force is not unique, because redundant constraints share the force
+    /// ([`crate::forces::Forces`]).
     #[error(transparent)]
     NotUnique(#[from] Box<crate::model::not_unique::NotUnique>),
     /// The motion belongs to another system, or to this system before a change.
@@ -387,7 +392,7 @@ pub enum Error {
     /// A follower cannot reach the driver values that a call gave it ([`crate::solver::Follower::to`]).
     #[error(transparent)]
     CannotReach(#[from] Box<cannot_reach::CannotReach>),
-    /// Kin cannot write something as data, or data contain a mistake.
+    /// Kin cannot write a part of a mechanism as data, or data contain a mistake.
     #[error("{place}: {reason}")]
     Data {
         /// The place of the mistake: a file, a mechanism, a constraint by name.
@@ -396,7 +401,8 @@ pub enum Error {
         reason: String,
     },
 
-    /// Kin cannot read a file with a table, or its content is not a table of a law.
+    /// Kin cannot read the table of a law: the file is unreadable, or its content is not such a
+    /// table.
     #[error("{}: {reason}", .path.display())]
     Table {
         /// The file.

@@ -1,10 +1,11 @@
-//! The error for a motion that does not belong to the system, or no longer does.
+//! Describes the error for a motion that does not belong to the present system.
 
 use crate::model::units::Units;
 use crate::model::words;
 
-/// A motion belongs to another system, or the system has changed since. At one time of the motion
-/// an equation is not satisfied.
+/// A motion belongs to another system, or the system has changed after the run.
+///
+/// At one time of the motion an equation of the system is not satisfied.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
     "the motion does not belong to \"{system}\" with its present values: at t = {} the equation `{equation}` is off by {}. Run the system again",
@@ -19,7 +20,7 @@ pub struct OtherMotion {
     pub equation: String,
     /// The residual of the equation, in the unit of its row.
     pub off: f64,
-    /// Time.   \[s\]
+    /// The time at which the equation is not satisfied. \[s\]
     pub t: f64,
     /// Names of the units of length and time.
     pub units: Units,

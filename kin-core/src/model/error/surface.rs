@@ -1,17 +1,19 @@
-//! Adapts messages to their readers: advice names a call of Rust, a keyword of Python or a flag of
-//! the command.
+//! Adapts messages to the interface of the user: advice names a Rust function, a Python keyword or
+//! a command-line flag.
 
 use std::sync::atomic::{AtomicU8, Ordering};
 
-/// The interface whose names messages use. A Rust program keeps [`Surface::Rust`]; the wheel and
-/// the command call [`Surface::choose`] once when they start.
+/// The interface whose names messages use.
+///
+/// A Rust program uses [`Surface::Rust`]. The Python package and the command call
+/// [`Surface::choose`] once when they start.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Surface {
-    /// Names of the crate, such as `SolverOptions::new().allowed_misfit(1e-8)`.
+    /// Names of the Rust crate, such as `SolverOptions::new().allowed_misfit(1e-8)`.
     #[default]
     Rust,
-    /// Names of the wheel, such as `allowed_misfit=1e-8`.
+    /// Names of the Python package, such as `allowed_misfit=1e-8`.
     Python,
     /// Flags of the command, such as `--allowed-misfit 1e-8`.
     Command,

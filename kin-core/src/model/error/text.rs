@@ -158,7 +158,9 @@ pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
 
 impl Error {
     /// Returns the message without its last line, which says where the motion before the failure
-    /// is. A page that shows this motion uses it.
+    /// is.
+    ///
+    /// A page that shows the motion before the failure uses this text.
     pub fn reason(&self) -> String {
         let text = self.to_string();
         let line = self.motion().map(motion_before).unwrap_or_default();

@@ -1,5 +1,7 @@
-//! Evaluates a formula with third-order dual numbers, for the jerk. Runs rarely need the jerk, and
-//! separate code for every constraint would be a quarter of all compiled code.
+//! Evaluates a formula with third-order dual numbers, for the jerk.
+//!
+//! Runs rarely compute the jerk, and separate code for every constraint would be a quarter of all
+//! compiled code.
 
 use kin_graph::{Formula, Input, LeafUse, Node, Source, evaluate};
 

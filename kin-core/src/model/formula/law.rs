@@ -1,5 +1,5 @@
-//! A law as a formula of column 0: its derivatives, its bounds, its nodes in another graph, and its
-//! derivative by a parameter.
+//! Evaluates a law that is a formula of column 0: its derivatives, its bounds, its nodes in another
+//! graph, and its derivative by a parameter.
 
 use super::bounds::{self, Inputs, opaque, row};
 use super::jerk::Along;
@@ -17,7 +17,7 @@ impl Table {
         Along::variable(x, parameters, outside).first(self.formula())
     }
 
-    /// Returns bounds of f over x, or `None` if they are unknown.
+    /// Returns bounds of f over x, or `None` if the bounds are unknown.
     pub fn law_over(&self, x: &Series, parameters: &[f64], outside: Outside<'_>) -> Option<Series> {
         let formula = self.formula();
         if opaque(formula, outside).is_some() {
@@ -27,13 +27,14 @@ impl Table {
         Some(row(formula, 0, &evaluate(&formula.graph, &formula.rows, &inputs)))
     }
 
-    /// Returns the kinds of the laws whose stated bounds these bounds rely on.
+    /// Returns the kinds of the laws whose stated bounds the bounds of this formula rely on.
     pub fn law_trusted(&self, outside: Outside<'_>) -> Vec<String> {
         bounds::trusted(self.formula(), outside)
     }
 
-    /// Adds f at x to a graph. Returns `None` if the formula contains something that only the
-    /// program can compute.
+    /// Adds f at x to a graph.
+    ///
+    /// Returns `None` if the formula contains a value that only the user's program can compute.
     pub fn law_in(
         &self,
         graph: &mut Graph,
@@ -50,9 +51,10 @@ impl Table {
         })
     }
 
-    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name. Returns `None` if the
-    /// derivative is unknown, or if f contains a conditional: where its branch changes there is no
-    /// derivative.
+    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name.
+    ///
+    /// Returns `None` if the derivative is unknown. Also returns `None` if f contains a
+    /// conditional, because the derivative does not exist where the branch changes.
     pub fn law_by(&self, name: &str, parameters: &[f64], outside: Outside<'_>) -> Option<Law> {
         let formula = self.formula();
         if self.may_switch() {

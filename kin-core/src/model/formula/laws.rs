@@ -1,4 +1,4 @@
-//! Derivatives of the rows of a formula by the values of its laws of time.
+//! Differentiates the rows of a formula by the values of its laws of time.
 
 mod lengths;
 

@@ -1,6 +1,7 @@
-//! The formula of an equation in compiled code. It is one text, which costs nothing to compile; Kin
-//! reads it at the first use. The values that only the user's program can compute come from a
-//! function.
+//! Stores the formula of an equation in compiled code as one text.
+//!
+//! A text adds nothing to compile times. Kin reads the text at the first use. A function of the
+//! user's program computes the values that only the program knows.
 
 pub(crate) mod bounds;
 pub(crate) mod jerk;
@@ -56,7 +57,8 @@ impl Table {
     }
 
     /// Returns the value of row 0 at q and t and its first three derivatives along the motion.
-    /// Without velocities only the value is meaningful.
+    ///
+    /// If velocities are missing, only the value is meaningful.
     pub fn measured(
         &self,
         arguments: &[Argument],
@@ -87,11 +89,13 @@ impl Table {
     }
 }
 
-/// Computes a value that only the user's program knows, from its index and its operands, and writes
-/// the results to `Given`.
+/// A function that computes a value that only the user's program knows.
+///
+/// The function receives the index and the operands of the value, and writes the results to
+/// `Given`.
 pub type Outside<'a> = &'a dyn Fn(usize, &[Dual3_64], &mut Given);
 
-/// Results that only the user's program can compute: numbers, or a law.
+/// The results of the user's program for a formula: numbers, or a law.
 #[derive(Default)]
 pub struct Given {
     numbers: Vec<Dual3_64>,
@@ -130,15 +134,15 @@ pub(crate) fn jet_of_law(outside: Outside<'_>, number: usize, x: f64, order: u8)
     if order == 0 { [f, f1, f2, f3] } else { [f1, f2, f3, law.fourth(x)] }
 }
 
-/// The outside function of an equation that uses nothing from outside.
+/// Does nothing: the function for an equation that needs no value from the user's program.
 pub fn nothing_outside(_: usize, _: &[Dual3_64], _: &mut Given) {}
 
-/// Passes on a law.
+/// Writes a law to `Given`.
 pub fn give_law(law: &Law, _: &[Dual3_64], to: &mut Given) {
     to.law = Some(law.clone());
 }
 
-/// Passes on plain numbers.
+/// Writes plain numbers to `Given`.
 pub fn give(numbers: &[f64], to: &mut Given) {
     numbers.iter().for_each(|number| to.push(Dual3_64::from_re(*number)));
 }

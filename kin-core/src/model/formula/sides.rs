@@ -1,5 +1,5 @@
-//! The branches that a formula takes at a position: which conditions hold, and the values of its
-//! integer steps.
+//! Determines the branches that a formula takes at a position: which conditions hold, and the
+//! values of its integer steps.
 //!
 //! Newton's method, compiled programs and events all use this list of the operations that can jump.
 

@@ -1,5 +1,5 @@
-//! Where time enters a formula: the nodes that depend on time alone, their bounds, and how rows
-//! depend on them.
+//! Finds the nodes of a formula that depend on time alone, their bounds, and how the rows depend on
+//! these nodes.
 
 use kin_graph::{Formula, Node, Op, evaluate, evaluate_beyond};
 

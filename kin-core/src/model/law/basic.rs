@@ -1,4 +1,4 @@
-//! Lines, polynomials, sines and Fourier series.
+//! Creates lines, polynomials, sines and Fourier series.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -31,8 +31,9 @@ impl Law {
         })
     }
 
-    /// Returns the polynomial f(x) = c\[0\] + c\[1\] x + c\[2\] x² + …. Without coefficients the
-    /// law is zero.
+    /// Returns the polynomial f(x) = c\[0\] + c\[1\] x + c\[2\] x² + ….
+    ///
+    /// If the list of coefficients is empty, the law is zero.
     pub fn polynomial(c: &[impl IntoNumber]) -> Law {
         Law::hanging(|to| Polynomial {
             kind: "polynomial",
@@ -60,7 +61,8 @@ impl Law {
     }
 
     /// Returns the Fourier series f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x).
-    /// k = 1, 2, … counts the pairs (a_k, b_k).
+    ///
+    /// The index k = 1, 2, … counts the pairs (a_k, b_k).
     pub fn fourier<N: IntoNumber>(
         mean: impl IntoNumber,
         omega: impl IntoNumber,

@@ -1,4 +1,4 @@
-//! Finds where derivatives of a law jump, from the jets on both sides.
+//! Finds the arguments at which derivatives of a law jump, from the derivatives on both sides.
 
 use super::{Break, Law};
 

@@ -1,5 +1,5 @@
-//! Laws made from other laws: sums, products, multiples and compositions, exact to the third
-//! derivative.
+//! Combines laws to sums, products, multiples and compositions, with exact derivatives up to the
+//! third.
 
 use std::ops::{Add, Div, Mul};
 
@@ -15,12 +15,12 @@ use crate::numbers::enclosure::Series;
 use composed::Composed;
 
 impl Law {
-    /// Returns the composition f(g(x)): `inner` is g, this law is f.
+    /// Returns the composition f(g(x)), where `inner` is g and this law is f.
     pub fn compose(&self, inner: &Law) -> Law {
         Law::new(Composed { outer: self.clone(), inner: inner.clone() })
     }
 
-    /// Returns the law f(x − x0): the same curve, shifted by x0.
+    /// Returns the law f(x − x0), where this law is f: the same curve, shifted by x0.
     pub fn shifted(&self, x0: impl IntoNumber) -> Law {
         self.compose(&Law::linear(-x0, 1.0))
     }

@@ -1,33 +1,34 @@
 //! Describes jumps of derivatives and the ends of tables and sequences.
 
-/// A place where a derivative of a law jumps.
+/// An argument at which a derivative of a law jumps.
 ///
 /// At the break the law has the derivatives of its right side. At the end of its range
-/// ([`LawRange`]) it has the derivatives of its left side.
+/// ([`LawRange`]) the law has the derivatives of its left side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Break {
     /// The argument at which the law jumps.
     pub x: f64,
-    /// The lowest derivative that jumps: 0 the value, 1 the slope, 2 the second derivative, 3 the
-    /// third derivative. A law with breaks of order 2 is C¹.
+    /// The order of the lowest derivative that jumps: 0 is the value, 1 the slope, 2 the second
+    /// derivative, 3 the third derivative. A law whose breaks have order 2 is C¹.
     pub order: usize,
 }
 
 /// The range of arguments for which a law is defined, such as those of a table or of a sequence.
 ///
-/// Outside the range the law continues as `beyond` says. If a run leaves the range of a table that
-/// continues as a straight line, it reports [`crate::results::EventKind::BeyondRange`].
+/// The field `beyond` says how the law continues outside the range. If a run leaves the range of a
+/// table that continues as a straight line, the run reports
+/// [`crate::results::EventKind::BeyondRange`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawRange {
     /// The smallest argument.
     pub from: f64,
     /// The largest argument.
     pub to: f64,
-    /// How the law continues outside the range.
+    /// The continuation of the law outside the range.
     pub beyond: Beyond,
 }
 
-/// How a law continues outside its range.
+/// The continuation of a law outside its range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Beyond {

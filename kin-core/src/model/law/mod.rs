@@ -1,5 +1,6 @@
-//! Laws: functions of one variable with their derivatives. They describe motors, cam profiles and
-//! other prescribed curves.
+//! Defines laws: functions of one variable with their derivatives.
+//!
+//! Laws describe motors, cam profiles and other prescribed curves.
 
 mod basic;
 mod breaks;
@@ -29,7 +30,8 @@ use crate::numbers::real::{Dual, Real};
 
 /// A function f of one variable with its derivatives.
 ///
-/// Implement this trait for a user-defined law, then wrap the value with [`Law::new`].
+/// To define a law, implement this trait for a type, then wrap a value of the type with
+/// [`Law::new`].
 pub trait LawFunction: Send + Sync {
     /// Returns \[f, f′, f″, f‴\] at x. The unit of a derivative is the unit of f divided by powers
     /// of the unit of x.
@@ -47,14 +49,16 @@ pub trait LawFunction: Send + Sync {
 
     /// Returns the function as text in Kin's language, `fn lift(x: f64, h: f64) -> f64 { … }`.
     ///
-    /// Mechanism files contain this text for readers that do not know the kind of the law. The
-    /// default is `None`: the law is not such a function.
+    /// Mechanism files contain this text, so that a program that does not know the kind of the law
+    /// can read the law. The default `None` means that the law has no such text.
     fn text(&self) -> Option<&str> {
         None
     }
 
-    /// Returns f⁗(x), or NaN if it is unknown. Kin evaluates it only for the jerk of an equation
-    /// that contains the slope of a law.
+    /// Returns f⁗(x), or NaN if the fourth derivative is unknown.
+    ///
+    /// Kin evaluates the fourth derivative only for the jerk of an equation that contains the slope
+    /// of a law.
     fn fourth(&self, x: f64) -> f64 {
         let _ = x;
         f64::NAN
@@ -62,15 +66,16 @@ pub trait LawFunction: Send + Sync {
 
     /// Returns the breaks between `from` and `to`, ends included, in increasing order of x.
     ///
-    /// The default is none: a smooth law. The laws of the library return at most the first ten
-    /// thousand breaks, because a law that repeats has any number of them.
+    /// By default the list is empty, as for a smooth law. The laws of the library return at most
+    /// the first 10 000 breaks, because a law that repeats can have any number of breaks.
     fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         let _ = (from, to);
         Vec::new()
     }
 
-    /// Returns the break between `from` and `to` in which the lowest derivative jumps. It also
-    /// works where [`LawFunction::breaks`] would return too many breaks.
+    /// Returns the break between `from` and `to` in which the lowest derivative jumps.
+    ///
+    /// The method works even if [`LawFunction::breaks`] would return too many breaks.
     fn sharpest_break(&self, from: f64, to: f64) -> Option<Break> {
         breaks::sharpest(self.breaks(from, to))
     }
@@ -80,28 +85,33 @@ pub trait LawFunction: Send + Sync {
         true
     }
 
-    /// Returns the range of arguments for which the law is defined. The default `None` means all
-    /// arguments.
+    /// Returns the range of arguments for which the law is defined.
+    ///
+    /// The default `None` means that the law is defined for all arguments.
     fn range(&self) -> Option<LawRange> {
         None
     }
 
-    /// Returns the range of the tables in the law. Outside this range a table continues as a
-    /// straight line, and a run that leaves the range reports a warning.
+    /// Returns the range of the tables in the law.
+    ///
+    /// Outside this range a table continues as a straight line. A run that leaves the range reports
+    /// a warning.
     ///
     /// The default `None` means that the law has no table, or that its tables repeat.
     fn table_range(&self) -> Option<LawRange> {
         None
     }
 
-    /// Returns the reason why the parameters make no sense, if they do. The error of whatever uses
-    /// the law contains this text.
+    /// Returns the reason if the parameters are invalid, otherwise `None`.
+    ///
+    /// The error of a mechanism that uses the law contains this text.
     fn refusal(&self) -> Option<String> {
         None
     }
 
-    /// Passes each numeric parameter and its name to `visit`. Kin refuses a law with a parameter
-    /// that is not finite.
+    /// Passes each numeric parameter and its name to `visit`.
+    ///
+    /// A mechanism returns an error for a law with a parameter that is not finite.
     fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         let _ = visit;
     }
@@ -111,18 +121,20 @@ pub trait LawFunction: Send + Sync {
         Vec::new()
     }
 
-    /// Returns the numbers that define the law but are no parameters, such as the x values of a
+    /// Returns the numbers that define the law but are not parameters, such as the x values of a
     /// table.
     fn fixed_numbers(&self) -> Vec<(String, f64)> {
         Vec::new()
     }
 
-    /// Returns bounds of the law for [`crate::System::prove`]. The default is `None`: Kin then
-    /// cannot prove a motion that this law drives.
+    /// Returns bounds of the law for [`crate::System::prove`].
     ///
-    /// Implement it in one of two ways: repeat the formula on [`Series`] instead of numbers, or
-    /// bound the derivatives through [`Series::chain`]. Kin relies on these bounds, and a proof
-    /// says so. [`crate::ask::check::law`] tests them at random arguments.
+    /// With the default `None` Kin cannot prove a motion that this law drives.
+    ///
+    /// Implement this method in one of two ways: evaluate the formula with [`Series`] instead of
+    /// numbers, or pass bounds of the derivatives to [`Series::chain`]. A proof relies on these
+    /// bounds and names the law. [`crate::ask::check::law`] compares values of the law with the
+    /// bounds.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -145,22 +157,28 @@ pub trait LawFunction: Send + Sync {
     }
 
     /// Adds the law at x to a graph and returns its node, so that a compiled program can compute
-    /// it. The default is `None`: the program then calls [`LawFunction::jet`].
+    /// the law.
+    ///
+    /// With the default `None` the program calls [`LawFunction::jet`].
     #[doc(hidden)]
     fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
         let _ = (graph, x);
         None
     }
 
-    /// Returns the kinds of the laws whose stated bounds a proof relies on. By default this is the
-    /// law itself; a law with a formula that Kin knows returns none.
+    /// Returns the kinds of the laws whose stated bounds a proof relies on.
+    ///
+    /// The default list contains the kind of the law itself. A law with a formula that Kin knows
+    /// returns an empty list.
     #[doc(hidden)]
     fn trusted(&self) -> Vec<String> {
         vec![self.kind().to_string()]
     }
 
-    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name. The default is `None`:
-    /// Kin then reports an error, with the name, when a sensitivity needs that parameter.
+    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name.
+    ///
+    /// With the default `None` a sensitivity with respect to the parameter is an error that
+    /// contains the name.
     fn by_parameter(&self, name: &str) -> Option<Law> {
         let _ = name;
         None
@@ -174,12 +192,13 @@ pub trait LawFunction: Send + Sync {
     }
 }
 
-/// A function of one variable with its derivatives up to the third. Clones are cheap and share the
-/// function.
+/// A function of one variable with its derivatives up to the third.
 ///
-/// Constructors return a law, never an error. [`Law::refusal`] says whether its parameters make
-/// sense: each must be finite, a table must increase, and parts must meet. A mechanism returns an
-/// error if you add a law with a refusal.
+/// Clones share the function, so cloning is cheap.
+///
+/// A constructor always returns a law, also for invalid parameters. [`Law::refusal`] says what is
+/// invalid: each parameter must be finite, a table must increase, and parts must meet in value. A
+/// mechanism returns an error for an invalid law.
 #[derive(Clone)]
 pub struct Law(Arc<dyn LawFunction>, Bound);
 
@@ -187,13 +206,14 @@ pub struct Law(Arc<dyn LawFunction>, Bound);
 type Bound = Option<Arc<Vec<(String, Dimension)>>>;
 
 impl Law {
-    /// Wraps a user-defined law.
+    /// Creates a law from a user-defined [`LawFunction`].
     pub fn new(function: impl LawFunction + 'static) -> Self {
         Law(Arc::new(function), None)
     }
 
-    /// Creates a law whose parameters depend on dimensions. `make` records these parameters by
-    /// their names.
+    /// Creates a law whose parameters depend on dimensions.
+    ///
+    /// The function `make` records the parameters by their names.
     #[doc(hidden)]
     pub fn hanging<F: LawFunction + 'static>(make: impl FnOnce(&mut Bindings) -> F) -> Self {
         let mut bound = Bindings::NONE;
@@ -240,7 +260,8 @@ impl Law {
         x.through_slope(self)
     }
 
-    /// Returns ∂f/∂p as a law of x, if it is known. p is the parameter with this name.
+    /// Returns ∂f/∂p as a law of x, where p is the parameter with this name, or `None` if the
+    /// derivative is unknown.
     pub fn by_parameter(&self, name: &str) -> Option<Law> {
         self.0.by_parameter(name)
     }
@@ -255,7 +276,7 @@ impl Law {
         self.0.description()
     }
 
-    /// Returns f⁗(x), or NaN if it is unknown.
+    /// Returns f⁗(x), or NaN if the fourth derivative is unknown.
     pub fn fourth(&self, x: f64) -> f64 {
         self.0.fourth(x)
     }
@@ -276,8 +297,10 @@ impl Law {
         self.0.text()
     }
 
-    /// Returns the places between `from` and `to` where a derivative up to the third jumps. Both
-    /// ends are included, and x increases. The list has at most ten thousand entries.
+    /// Returns the breaks between `from` and `to`, in increasing order of x: the arguments at which
+    /// a derivative up to the third jumps.
+    ///
+    /// The range includes both ends. The list has at most 10 000 entries.
     pub fn breaks(&self, from: f64, to: f64) -> Vec<Break> {
         self.0.breaks(from.min(to), to.max(from))
     }
@@ -292,8 +315,9 @@ impl Law {
         self.0.is_smooth()
     }
 
-    /// Returns the range of arguments for which the law is defined, such as that of its table.
-    /// `None` means all arguments.
+    /// Returns the range of arguments for which the law is defined, such as the range of its table.
+    ///
+    /// `None` means that the law is defined for all arguments.
     pub fn range(&self) -> Option<LawRange> {
         self.0.range()
     }
@@ -303,7 +327,7 @@ impl Law {
         matches!(self.kind(), "spline" | "quintic_spline")
     }
 
-    /// Returns the reason why the parameters make no sense, if they do.
+    /// Returns the reason if the parameters are invalid, otherwise `None`.
     pub fn refusal(&self) -> Option<String> {
         let mut bad = None;
         self.parameters(&mut |name, value| {
@@ -314,8 +338,10 @@ impl Law {
         bad.or_else(|| self.0.refusal())
     }
 
-    /// Returns true if f(x + period) = f(x) as far as samples show. Kin compares the value and the
-    /// first three derivatives at 24 places, each to nine digits of the largest sample.
+    /// Returns true if f(x + period) = f(x) at all samples.
+    ///
+    /// Kin compares the value and the first three derivatives at 24 arguments, each to nine digits
+    /// of the largest sample.
     pub fn is_periodic(&self, period: f64) -> bool {
         let places = || (0..24).map(|k| period * (f64::from(k) * 0.618_033_988_749_894_9).fract());
         let jets: Vec<[[f64; 4]; 2]> =
@@ -337,8 +363,10 @@ impl Law {
         })
     }
 
-    /// Passes each numeric parameter and its name to `visit`. In a combined law the prefixes
-    /// `first.`, `second.`, `outer.` and `inner.` distinguish the parts.
+    /// Passes each numeric parameter and its name to `visit`.
+    ///
+    /// In a combined law the prefixes `first.`, `second.`, `outer.` and `inner.` distinguish the
+    /// parts.
     pub fn parameters(&self, visit: &mut dyn FnMut(&str, f64)) {
         self.0.parameters(visit);
     }
@@ -349,14 +377,16 @@ impl Law {
         self.0.parts()
     }
 
-    /// Returns the numbers that define the law but are no parameters, such as the x values of a
+    /// Returns the numbers that define the law but are not parameters, such as the x values of a
     /// table.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         self.0.fixed_numbers()
     }
 
-    /// Sets one numeric parameter by a name from [`Law::parameters`]. Returns false if the law has
-    /// no parameter with this name, or if the law is fixed. Clones made before keep the old value.
+    /// Sets one numeric parameter by a name from [`Law::parameters`].
+    ///
+    /// Returns false if the law has no parameter with this name, or if the law is fixed. Existing
+    /// clones of the law keep the old value.
     pub fn set_parameter(&mut self, name: &str, value: f64) -> bool {
         match self.0.with_parameter(name, value) {
             Some(law) => {
@@ -385,13 +415,13 @@ impl fmt::Debug for Law {
     }
 }
 
-/// A number at which a law can be evaluated: `f64`, or [`Real`] where a constraint runs on dual
+/// A number at which a law can be evaluated: an `f64`, or a [`Real`] if a constraint runs on dual
 /// numbers.
 pub trait LawArgument {
-    /// Returns f(self) with the derivatives that this kind of number carries.
+    /// Returns f(self) with the derivatives that a number of this type carries.
     fn through(self, law: &Law) -> Self;
 
-    /// Returns f′(self) with the derivatives that this kind of number carries.
+    /// Returns f′(self) with the derivatives that a number of this type carries.
     fn through_slope(self, law: &Law) -> Self;
 }
 

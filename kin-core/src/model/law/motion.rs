@@ -1,4 +1,4 @@
-//! Motions from rest to rest within limits: trapezoidal velocity and the S-curve.
+//! Creates motions from rest to rest within limits: trapezoidal velocity and the S-curve.
 
 use super::{Break, Law, LawFunction, trusted_parts};
 use crate::model::dimension::IntoNumber;
@@ -8,9 +8,9 @@ impl Law {
     /// Returns a motion from rest to rest with trapezoidal velocity: constant acceleration,
     /// constant speed, constant deceleration.
     ///
-    /// A short distance has no phase of constant speed. The law is 0 before x = 0 and equals the
-    /// distance after the motion. Its acceleration jumps. A negative distance gives the motion in
-    /// the other direction.
+    /// If the distance is short, the motion has no phase of constant speed. The law is 0 before x =
+    /// 0 and equals the distance after the motion. The acceleration jumps at the ends of each
+    /// phase. A negative distance gives the motion in the other direction.
     pub fn trapezoidal(
         distance: impl IntoNumber,
         speed: impl IntoNumber,
@@ -26,8 +26,9 @@ impl Law {
     /// Returns a motion from rest to rest in seven pieces of constant jerk, limited in speed,
     /// acceleration and jerk.
     ///
-    /// A short distance needs fewer pieces. The law is 0 before x = 0 and equals the distance after
-    /// the motion. Its jerk jumps. Biagiotti and Melchiorri, *Trajectory Planning*, section 3.4.
+    /// If the distance is short, the motion has fewer pieces. The law is 0 before x = 0 and equals
+    /// the distance after the motion. The jerk jumps at the ends of each piece. Source: Biagiotti
+    /// and Melchiorri, *Trajectory Planning*, section 3.4.
     pub fn s_curve(
         distance: impl IntoNumber,
         speed: impl IntoNumber,

@@ -1,4 +1,4 @@
-//! Parameters of laws that contain other laws, and the operators that need nothing else.
+//! Handles the parameters of laws that contain other laws, and implements the operators on laws.
 
 use std::ops::{Mul, Neg, Sub};
 

@@ -1,4 +1,4 @@
-//! The tables of splines and the conditions at their ends.
+//! Stores the tables of splines and the conditions at their ends.
 
 use std::path::Path;
 
@@ -7,19 +7,20 @@ use super::{Beyond, Law, LawRange};
 use crate::model::dimension::{Bindings, IntoNumber};
 use crate::model::error::{Error, Result};
 
-/// End conditions of a spline.
+/// The conditions at the ends of a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Ends {
-    /// No curvature at the ends; the spline continues as a straight line.
+    /// The curvature is zero at the ends; beyond the ends the spline continues as a straight line.
     Natural,
-    /// Given slopes at the ends; the spline continues as a straight line with these slopes.
+    /// The slopes at the ends are given; beyond the ends the spline continues as a straight line
+    /// with the given slope.
     Clamped {
         /// Slope at the first x.
         start: f64,
         /// Slope at the last x.
         end: f64,
     },
-    /// The spline repeats; the last y equals the first.
+    /// The spline repeats; the last y must equal the first y.
     Periodic,
 }
 
@@ -31,7 +32,7 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Reads a table. Its y values may depend on dimensions.
+    /// Reads a table, whose y values may depend on dimensions.
     pub fn new(table: &[(f64, impl IntoNumber)], ends: Ends, to: &mut Bindings) -> Points {
         let y = to.list("y", 0, table.iter().map(|(_, y)| *y));
         Points { table: table.iter().map(|(x, _)| *x).zip(y).collect(), ends }
@@ -58,8 +59,10 @@ impl Points {
         (self.ends != Ends::Periodic).then_some(range)
     }
 
-    /// Maps x into the table and returns it with the number of its interval, or of the side outside
-    /// the table. The last x belongs to the last interval.
+    /// Maps x into the table and returns the mapped x with the number of its interval, or of the
+    /// side outside the table.
+    ///
+    /// The last x belongs to the last interval.
     pub fn place(&self, x: f64) -> (f64, usize) {
         let first = self.table[0].0;
         let last = self.table[self.table.len() - 1].0;
@@ -70,8 +73,9 @@ impl Points {
         (x, if x == last { self.table.len() - 1 } else { after })
     }
 
-    /// Returns the reason why no spline goes through the points. `kind` is the name of the law in
-    /// the message.
+    /// Returns the reason if no spline goes through the points.
+    ///
+    /// The text contains `kind`, the name of the law.
     pub fn refusal(&self, kind: &str) -> Option<String> {
         let least = if self.ends == Ends::Periodic { 3 } else { 2 };
         if self.table.len() < least {
@@ -106,8 +110,10 @@ impl Points {
         })
     }
 
-    /// Returns the x values of the table and the conditions at its ends. `periodic` is 1 for a
-    /// table that repeats; `start` and `end` are given slopes.
+    /// Returns the x values of the table and the conditions at its ends, by name.
+    ///
+    /// The number `periodic` is 1 for a table that repeats. The numbers `start` and `end` are given
+    /// slopes.
     pub fn fixed_numbers(&self) -> Vec<(String, f64)> {
         let ends = match self.ends {
             Ends::Natural => vec![],
@@ -131,8 +137,9 @@ impl Points {
         }
     }
 
-    /// Returns the table with one y changed, if it has one with this name. In a table that repeats
-    /// both ends change.
+    /// Returns the table with another value of one y, or `None` if no y has this name.
+    ///
+    /// In a table that repeats, the first and the last y change together.
     pub fn with_parameter(&self, name: &str, value: f64) -> Option<Points> {
         let k = (0..self.table.len()).find(|k| name == format!("y[{k}]"))?;
         let mut table = self.table.clone();

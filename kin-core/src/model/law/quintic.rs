@@ -1,4 +1,4 @@
-//! Quintic splines through tables: all derivatives up to the fourth are continuous.
+//! Creates quintic splines through tables, with continuous derivatives up to the fourth.
 
 use std::path::Path;
 
@@ -11,22 +11,25 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// Returns a quintic spline through the points (x, y): C⁴ between the ends, so acceleration and
-    /// jerk are smooth.
+    /// Returns a quintic spline through the points (x, y), with continuous derivatives up to the
+    /// fourth between the ends.
     ///
-    /// x must increase. The table needs at least two points, or three with [`Ends::Periodic`]. A
-    /// periodic spline is C⁴ everywhere, which suits the profile of a cam or a closed path. At
-    /// other ends the spline has no curvature and continues as a straight line. [`Ends::Clamped`]
-    /// gives the slope of that line; [`Ends::Natural`] takes the slope of least bending (f⁗ = 0).
+    /// The x values must increase. The table needs at least two points, or three with
+    /// [`Ends::Periodic`]. A periodic spline has continuous derivatives up to the fourth
+    /// everywhere, which suits the profile of a cam or a closed path. With [`Ends::Clamped`] and
+    /// [`Ends::Natural`] the curvature is zero at the ends, and the spline continues as a straight
+    /// line. [`Ends::Clamped`] gives the slope of the line. With [`Ends::Natural`] the line has the
+    /// slope of least bending (f⁗ = 0).
     ///
     /// A mechanism returns an error for a table that does not increase, or for a periodic table
-    /// with different ends. C. de Boor, *A Practical Guide to Splines*.
+    /// whose first and last y differ. Source: C. de Boor, *A Practical Guide to Splines*.
     pub fn quintic_spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
         Law::hanging(|to| Quintic::new(Points::new(table, ends, to)))
     }
 
-    /// Returns a quintic spline through the first two columns of a CSV file. A first line without
-    /// numbers is a header.
+    /// Returns a quintic spline through the first two columns of a CSV file.
+    ///
+    /// Kin skips a first line without numbers as a header.
     ///
     /// Errors: those of [`Law::spline_from_csv`].
     pub fn quintic_spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {

@@ -1,5 +1,5 @@
-//! Rises from 0 to a height over a length, with a dwell before and after, for cams and indexing
-//! machines.
+//! Creates rises from 0 to a height over a length, with a dwell before and after, for cams and
+//! indexing machines.
 
 use std::f64::consts::{PI, TAU};
 
@@ -8,26 +8,33 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 
 impl Law {
-    /// Returns the simple harmonic rise f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β. f is 0 before
-    /// and h after. The acceleration jumps at both ends.
+    /// Returns the simple harmonic rise f(x) = h/2 (1 − cos(π x/β)) for 0 ≤ x ≤ β.
+    ///
+    /// The law is 0 before the rise and h after the rise. The acceleration jumps at both ends of
+    /// the rise.
     pub fn harmonic_rise(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Harmonic, height, length)
     }
 
-    /// Returns the cycloidal rise f(x) = h (x/β − sin(2π x/β)/2π) for 0 ≤ x ≤ β. f is 0 before and
-    /// h after.
+    /// Returns the cycloidal rise f(x) = h (x/β − sin(2π x/β)/2π) for 0 ≤ x ≤ β.
+    ///
+    /// The law is 0 before the rise and h after the rise.
     pub fn cycloidal(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Cycloidal, height, length)
     }
 
-    /// Returns the 3-4-5 polynomial rise f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵) with ξ = x/β for 0 ≤ ξ ≤
-    /// 1. f is 0 before and h after.
+    /// Returns the 3-4-5 polynomial rise f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵) with ξ = x/β for
+    /// 0 ≤ x ≤ β.
+    ///
+    /// The law is 0 before the rise and h after the rise.
     pub fn polynomial_345(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Polynomial345, height, length)
     }
 
     /// Returns the 4-5-6-7 polynomial rise f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷) with ξ = x/β
-    /// for 0 ≤ ξ ≤ 1. f is 0 before and h after. No derivative up to the third jumps.
+    /// for 0 ≤ x ≤ β.
+    ///
+    /// The law is 0 before the rise and h after the rise. No derivative up to the third jumps.
     pub fn polynomial_4567(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::Polynomial4567, height, length)
     }
@@ -35,16 +42,16 @@ impl Law {
     /// Returns the modified sine rise: f″ is a sine for an eighth of β, then a slower cosine, then
     /// the sine again.
     ///
-    /// The sine has the period β/2 and the cosine the period 3β/2. f is 0 before and h after. The
-    /// largest acceleration is 5.528 h/β².
+    /// The sine has the period β/2 and the cosine the period 3β/2. The law is 0 before the rise and
+    /// h after the rise. The largest acceleration is 5.528 h/β².
     pub fn modified_sine(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::ModifiedSine, height, length)
     }
 
     /// Returns the modified trapezoidal rise: f″ is a trapezoid whose ramps are quarters of a sine.
     ///
-    /// Each ramp is an eighth of β long. f is 0 before and h after. The largest acceleration is
-    /// 4.888 h/β².
+    /// Each ramp is an eighth of β long. The law is 0 before the rise and h after the rise. The
+    /// largest acceleration is 4.888 h/β².
     pub fn modified_trapezoid(height: impl IntoNumber, length: impl IntoNumber) -> Law {
         rise(Shape::ModifiedTrapezoid, height, length)
     }

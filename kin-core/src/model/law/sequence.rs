@@ -1,4 +1,4 @@
-//! Laws one after the other, and laws that repeat.
+//! Creates sequences of laws, and laws that repeat.
 
 use std::sync::OnceLock;
 
@@ -8,14 +8,14 @@ use crate::model::dimension::IntoNumber;
 use crate::numbers::enclosure::{Interval, Series, piecewise, repeated};
 
 impl Law {
-    /// Returns a law of parts that follow each other from x = `start`, each over its length.
+    /// Returns a law whose parts follow each other from x = `start`, each part over its length.
     ///
-    /// The variable of a part counts from the beginning of the part: over a part that begins at x_k
-    /// the law is f_k(x − x_k). Before the first part and after the last part the law holds the
-    /// values of the ends.
+    /// The argument of a part counts from the beginning of the part: over a part that begins at x_k
+    /// the law is f_k(x − x_k). Before the first part the law holds its first value, and after the
+    /// last part its last value.
     ///
-    /// The parts must meet in value; a mechanism returns an error for a sequence that jumps. A
-    /// derivative that jumps is a break.
+    /// Consecutive parts must have the same value where they meet. A mechanism returns an error for
+    /// a sequence whose value jumps. If a derivative jumps, the law has a break.
     ///
     /// ```
     /// use kin::prelude::*;
@@ -38,11 +38,12 @@ impl Law {
         })
     }
 
-    /// Returns a law that repeats the part of this law over 0 ≤ x < period. The profile of a cam
-    /// has the period 2π.
+    /// Returns a law that repeats the part of this law over 0 ≤ x < period.
     ///
-    /// The ends of the period must meet in value; a mechanism returns an error for a law that
-    /// jumps. A derivative that jumps is a break.
+    /// For the profile of a cam the period is 2π.
+    ///
+    /// The law must have the same value at both ends of the period. A mechanism returns an error
+    /// for a law whose value jumps. If a derivative jumps, the law has a break.
     pub fn periodic(&self, period: impl IntoNumber) -> Law {
         Law::hanging(|to| {
             let period = to.number("period", period);

@@ -1,4 +1,6 @@
-//! The modified shapes with interval bounds, piece by piece. π is an interval too.
+//! Computes interval bounds of the modified rises, piece by piece.
+//!
+//! The bounds treat π as an interval too.
 
 use crate::numbers::enclosure::{Interval, Series, piecewise};
 

@@ -1,4 +1,4 @@
-//! Cubic splines through tables.
+//! Creates cubic splines through tables.
 
 mod wide;
 
@@ -12,19 +12,21 @@ use crate::model::error::Result;
 use crate::numbers::enclosure::{Interval, ONE, Series, piecewise, repeated};
 
 impl Law {
-    /// Returns a cubic spline through the points (x, y), which is C² between the ends.
+    /// Returns a cubic spline through the points (x, y), with continuous first and second
+    /// derivatives between the ends.
     ///
-    /// x must increase. The table needs at least two points, or three with [`Ends::Periodic`]. A
-    /// mechanism returns an error for a table that does not increase, or for a periodic table with
-    /// different ends.
+    /// The x values must increase. The table needs at least two points, or three with
+    /// [`Ends::Periodic`]. A mechanism returns an error for a table that does not increase, or for
+    /// a periodic table whose first and last y differ.
     pub fn spline(table: &[(f64, impl IntoNumber)], ends: Ends) -> Law {
         Law::hanging(|to| Spline::new(Points::new(table, ends, to)))
     }
 
-    /// Returns a cubic spline through the first two columns of a CSV file. A first line without
-    /// numbers is a header.
+    /// Returns a cubic spline through the first two columns of a CSV file.
     ///
-    /// Errors: a file that Kin cannot read, a line without two numbers, a table that does not
+    /// Kin skips a first line without numbers as a header.
+    ///
+    /// Errors: Kin cannot read the file; a line does not contain two numbers; the table does not
     /// increase.
     pub fn spline_from_csv(path: impl AsRef<Path>, ends: Ends) -> Result<Law> {
         points::from_csv(path.as_ref(), |table| Law::spline(table, ends))

@@ -1,4 +1,5 @@
-//! Lengths and angles along which forces act, and forces that depend on them.
+//! Defines lengths and angles along which forces act, and forces that depend on a length or an
+//! angle.
 
 use std::sync::Arc;
 
@@ -6,7 +7,7 @@ use crate::model::constraint::Constraint;
 use crate::model::mechanism::IntoConstraint;
 use crate::model::terms::Local;
 
-/// A length or an angle x along which a force acts. [`IntoAlong`] makes it.
+/// A length or an angle x along which a force acts. [`IntoAlong`] creates this value.
 #[derive(Clone)]
 pub struct Along(pub(crate) Line);
 
@@ -21,9 +22,9 @@ pub(crate) enum Line {
 
 /// A length or an angle x along which a force can act.
 ///
-/// It is either a constraint of one row, whose value is x, or the name of a measure of a joint or
-/// of a coordinate (`"guide.slide"`, `"crank.theta"`). [`crate::System::measures`] lists these
-/// names.
+/// The length or angle is either a constraint of one row, whose value is x, or the name of a
+/// measure of a joint or of a coordinate (`"guide.slide"`, `"crank.theta"`).
+/// [`crate::System::measures`] lists the names.
 ///
 /// ```
 /// # use kin::prelude::*;

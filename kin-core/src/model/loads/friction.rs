@@ -1,4 +1,4 @@
-//! Dry friction in pins and slides: its numbers, and where in a joint it acts.
+//! Describes dry friction in pins and slides: the numbers, and where in a joint friction acts.
 
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::coordinates::Target;
@@ -10,21 +10,21 @@ use crate::numbers::algebra::{Vec3, vec3};
 /// Dry friction in a joint: μ times the sum of the contact forces, times tanh(v/v₀) against the
 /// slip v.
 ///
-/// If v is well above v₀, this is Coulomb friction; at rest the friction is zero. Kin computes the
-/// contact forces from the reaction of the joint:
+/// If v is much larger than v₀, the formula gives Coulomb friction. At rest the friction is zero.
+/// Kin computes the contact forces from the reaction of the joint:
 ///
-/// * In a pin of radius r the torque is μ r F tanh(ω/ω₀). F is the force across the axis. In space
-///   a pin with [`Friction::length`] also holds bending, as a pair of forces at the ends of its
-///   bearing.
+/// * In a pin of radius r the torque is μ r F tanh(ω/ω₀), where F is the force across the axis. In
+///   space a pin with [`Friction::length`] also carries a bending moment, as a pair of forces at
+///   the ends of its bearing.
 /// * In a slide with a guide of length L and width b the reaction is the force F across the slide
-///   and the moment M about the joint's point. The guide holds both at its ends, at ± L/2 from the
-///   point P_i of body i: N₁,₂ = F/2 ± M/L. The friction μ (|N₁| + |N₂|) tanh(v/v₀) acts along the
-///   slide on the pressed side of the guide, b/2 off its line. In space the torque T about the
-///   slide is held across the width and adds 2 |T|/b.
+///   and the moment M about the joint's point. The contact forces act at the ends of the guide, at
+///   ± L/2 from the point P_i of body i: N₁,₂ = F/2 ± M/L. The friction μ (|N₁| + |N₂|) tanh(v/v₀)
+///   acts along the slide on the loaded side of the guide, at the distance b/2 from its line. In
+///   space the torque T about the slide causes contact forces across the width, which add 2 |T|/b.
 ///
-/// Each place of contact follows Coulomb's law. If a push P moves a block along its guide, but off
-/// its line by a, the ends of the guide hold ± P a/L. The push must then be
-/// P = load/(1 − 2 μ a/L), and the block jams where a ≥ L/(2 μ).
+/// Each contact follows Coulomb's law. For example, let a force P push a block along its guide at
+/// the distance a from the line of the guide. The contact forces at the ends of the guide are then
+/// ± P a/L. The necessary force is P = load/(1 − 2 μ a/L), and the block jams if a ≥ L/(2 μ).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Friction {
     /// μ, the coefficient of friction.
@@ -71,7 +71,8 @@ impl Friction {
     /// Creates the friction of a pin with the coefficient μ, the radius r and the angular velocity
     /// ω₀. \[-, m, rad/s\]
     ///
-    /// At ω₀ the friction has three quarters of its full size. Each number may be a [`Dimension`].
+    /// At ω₀ the friction has three quarters of its full size. Each argument may be a
+    /// [`Dimension`].
     pub fn pin(
         coefficient: impl IntoNumber,
         radius: impl IntoNumber,
@@ -98,8 +99,9 @@ impl Friction {
     /// Creates the friction of a slide with the coefficient μ, the length L and the width b of its
     /// guide, and the velocity v₀. \[-, m, m, m/s\]
     ///
-    /// At v₀ the friction has three quarters of its full size. The ends of the guide move with body
-    /// i of the joint. Body i is thus a block in a long guide, or the bush on a rod.
+    /// At v₀ the friction has three quarters of its full size. The contacts at both ends of the
+    /// guide move with body i of the joint. Body i is thus a block in a long guide, or the bush on
+    /// a rod.
     pub fn slide(
         coefficient: impl IntoNumber,
         [length, width]: [impl IntoNumber; 2],
@@ -110,8 +112,10 @@ impl Friction {
         Friction::of(none, [coefficient, rate, length.into_number(), width.into_number()])
     }
 
-    /// Gives the pin a bearing of this length, which holds bending by forces at its two ends. In a
-    /// plane there is no bending. \[m\]
+    /// Sets the length of the pin's bearing, which carries a bending moment by forces at its two
+    /// ends. \[m\]
+    ///
+    /// In a plane the length has no effect, because a planar pin carries no bending moment.
     #[must_use]
     pub fn length(self, bearing: impl IntoNumber) -> Friction {
         let place = if matches!(self.shape, Shape::Pin { .. }) { 3 } else { 2 };

@@ -1,4 +1,4 @@
-//! Loads: everything except weight that acts on a mechanism.
+//! Defines loads: everything except weight that acts on a mechanism.
 
 use std::sync::Arc;
 
@@ -36,7 +36,8 @@ pub(crate) struct OnBody {
     pub torque: [Law; 3],
     /// True if the components are in the axes of the body.
     pub fixed: bool,
-    /// The components of the point that depend on dimensions. Laws record theirs separately.
+    /// The components of the point that depend on dimensions. Laws record their parameters
+    /// separately.
     pub hung: Bindings,
 }
 
@@ -106,9 +107,12 @@ pub(crate) enum Holding {
 /// name and its value.
 pub(crate) type HungInLoad = (usize, Holding, String, Dimension);
 
-/// An energy V(q, t), written as a function with `#[potential]`. Its generalised forces are −V_qᵀ.
+/// An energy V(q, t), which you write as a function with `#[potential]`.
 ///
-/// A potential is a constraint of one row, but not an equation of the mechanism.
+/// The generalised forces of the energy are −V_qᵀ.
+///
+/// Kin stores a potential like a constraint of one row, but a potential is not an equation of the
+/// mechanism.
 ///
 /// ```
 /// # use kin::prelude::*;
@@ -162,7 +166,8 @@ impl Load {
     /// m\]
     ///
     /// `x` is a constraint of one row, or the name of a measure of a joint or of a coordinate. A
-    /// positive f makes x grow. f is a force if x is a length, and a torque if x is an angle.
+    /// positive f increases x. The load f is a force if x is a length, and a torque if x is an
+    /// angle.
     ///
     /// The angle of a joint counts revolutions along the motion, as in [`crate::System::measure`].
     ///
@@ -192,7 +197,9 @@ impl Load {
         Load(Acting::Along(x.into_along(), ForceAlong::Closure(Arc::new(force))))
     }
 
-    /// Creates a force along `x` from a function with `#[force]`. The macro calls this function.
+    /// Creates a force along `x` from a function with `#[force]`.
+    ///
+    /// The macro `#[force]` calls this constructor.
     #[doc(hidden)]
     pub fn written(x: impl IntoAlong, force: impl Constraint + 'static) -> Load {
         Load(Acting::Along(x.into_along(), ForceAlong::Written(Box::new(force))))
@@ -200,7 +207,7 @@ impl Load {
 
     /// Creates a force at the point ū of a body, in global components. \[N, m\]
     ///
-    /// The force is a vector, or one law of time for each component.
+    /// The force is a constant vector, or one law of time for each component.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -225,7 +232,9 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
 
-    /// Creates a force in the axes of the body; its direction rotates with the body. \[N, m\]
+    /// Creates a force at the point ū of a body, in the axes of the body. \[N, m\]
+    ///
+    /// The direction of the force rotates with the body.
     pub fn force_in_body<B: Body>(
         body: B,
         u: impl IntoVector<B::Vector>,
@@ -235,8 +244,10 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { force: force.laws(), ..on })))
     }
 
-    /// A torque on a body: in the plane a number or a law, counter-clockwise positive; in space a
-    /// vector or three laws, in global components.   \[N m\]
+    /// Creates a torque on a body, in global components. \[N m\]
+    ///
+    /// In the plane the torque is a number or a law, and positive counter-clockwise. In space the
+    /// torque is a vector or three laws of time.
     pub fn torque<B: Body>(body: B, torque: impl ByLaws<<B::Vector as HasTorque>::Torque>) -> Load
     where
         B::Vector: HasTorque,
@@ -245,7 +256,7 @@ impl Load {
         Load(Acting::OnBody(Box::new(OnBody { torque: torque.laws(), ..on })))
     }
 
-    /// Creates a torque in the axes of the body. \[N m\]
+    /// Creates a torque on a body, in the axes of the body. \[N m\]
     pub fn torque_in_body<B: Body>(
         body: B,
         torque: impl ByLaws<<B::Vector as HasTorque>::Torque>,

@@ -1,4 +1,4 @@
-//! Describes masses, gravity and loads. The room `forces/` computes with them.
+//! Describes masses, gravity and loads. The module `forces/` computes forces from them.
 
 mod along;
 mod check;

@@ -1,6 +1,7 @@
-//! How redundant constraints share forces.
+//! Defines how redundant constraints share forces.
 
-/// The rule by which redundant constraints share forces that no balance decides.
+/// The rule by which redundant constraints share a force that the equations of equilibrium do not
+/// determine.
 ///
 /// ```
 /// # use kin::prelude::*;
@@ -35,13 +36,14 @@
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum LoadSharing {
-    /// Kin gives no number for a force that is not unique.
+    /// Kin returns no number for a force that is not unique.
     #[default]
     NotGiven,
-    /// The sum of the squares of the forces and torques of all constraints, each about its own
-    /// point, is least: one newton counts as one newton metre, in the units of the mechanism.
+    /// Kin minimises the sum of the squares of the forces and torques of all constraints, each
+    /// torque about the point of its constraint. In this sum one unit of force counts like one unit
+    /// of torque, such as 1 N and 1 N m.
     LeastNorm,
-    /// These equations, by name (`hinge 2.z`), carry no force. There must be as many of them as are
-    /// redundant, and the others must be independent.
+    /// The named equations, such as `hinge 2.z`, carry no force. The list must have as many
+    /// equations as are redundant, and the other equations must be independent.
     Without(Vec<String>),
 }

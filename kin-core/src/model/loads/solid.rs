@@ -1,4 +1,4 @@
-//! Mass, centre of mass and inertia of a body, from numbers or from shapes and a density.
+//! Computes mass, centre of mass and inertia of a body, from numbers or from shapes and a density.
 
 use crate::model::body::Body;
 use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
@@ -6,7 +6,7 @@ use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 
 /// Mass, centre of mass and inertia of a body.
 ///
-/// A shape is created from its sizes and its density. [`Solid::at`] and [`Solid::turned`] place a
+/// Create a shape from its sizes and its density. [`Solid::at`] and [`Solid::turned`] place a
 /// shape; [`Solid::and`] and [`Solid::without`] combine shapes:
 ///
 /// ```
@@ -22,10 +22,10 @@ use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 pub struct Solid {
     /// The mass m. \[kg\]
     pub mass: f64,
-    /// The centre of mass c̄ in the frame of the body; z does not count in a plane. \[m\]
+    /// The centre of mass c̄ in the frame of the body; a planar body ignores z. \[m\]
     pub centre: Vec3,
-    /// The inertia J = ∫ (r² I − r rᵀ) dm about the centre of mass, in the axes of the body. In a
-    /// plane only J_zz counts. \[kg m²\]
+    /// The inertia J = ∫ (r² I − r rᵀ) dm about the centre of mass, in the axes of the body. A
+    /// planar body uses only J_zz. \[kg m²\]
     pub inertia: Mat3,
 }
 
@@ -112,7 +112,7 @@ impl Solid {
         Solid { mass, centre: Vec3::zeros(), inertia }
     }
 
-    /// Moves the centre to another point of the body. \[m\]
+    /// Moves the solid so that its centre of mass is at `centre` in the frame of the body. \[m\]
     #[must_use]
     pub fn at(self, centre: impl Into<Vec3>) -> Solid {
         Solid { centre: centre.into(), ..self }
@@ -125,8 +125,8 @@ impl Solid {
         Solid { centre: a * self.centre, inertia: a * self.inertia * a.transpose(), ..self }
     }
 
-    /// Joins two solids to one, by the parallel axis theorem: J + m (d² I − d dᵀ) about the common
-    /// centre.
+    /// Joins two solids to one solid, by the parallel axis theorem: J + m (d² I − d dᵀ) about the
+    /// common centre.
     #[must_use]
     pub fn and(self, other: Solid) -> Solid {
         let mass = self.mass + other.mass;
@@ -135,7 +135,7 @@ impl Solid {
         Solid { mass, centre, inertia }
     }
 
-    /// Cuts another solid out of this one.
+    /// Cuts the solid `hole` out of this solid.
     #[must_use]
     pub fn without(self, hole: Solid) -> Solid {
         self.and(Solid { mass: -hole.mass, inertia: hole.inertia * -1.0, ..hole })
@@ -148,7 +148,7 @@ impl Solid {
     }
 }
 
-/// A body that can have a mass. The prelude does not need to export this trait.
+/// A body that can have a mass.
 pub trait HasMass: Body {
     /// The inertia about the centre: a number in the plane, a tensor in the axes of the body in
     /// space.

@@ -1,4 +1,4 @@
-//! Gives forces and torques of the plane and of space common names. They are constants or laws of
+//! Defines the types of forces and torques, in the plane and in space, as constants or laws of
 //! time.
 
 use crate::model::body::Vector;
@@ -6,7 +6,8 @@ use crate::model::dimension::IntoNumber;
 use crate::model::law::Law;
 use crate::numbers::algebra::{Vec2, Vec3};
 
-/// A vector of the plane or of space, and what turns there: a number or a vector.
+/// A vector of the plane or of space, with the type of a torque: a number in the plane, a vector in
+/// space.
 pub trait HasTorque: Vector {
     /// A number in the plane, a vector in space.
     type Torque: Copy;
@@ -62,15 +63,16 @@ impl HasTorque for Vec3 {
         &[("F_x", 0), ("F_y", 1), ("F_z", 2), ("T_x", 3), ("T_y", 4), ("T_z", 5)];
 }
 
-/// A force or a torque, constant or by laws of time.
+/// A force or a torque that is constant or given by laws of time.
 ///
-/// It is a vector or one law for each component. In the plane a torque is a number or a law.
+/// A force is a vector or one law for each component. A torque is a number or a law in the plane,
+/// and a vector or three laws in space.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a force or torque",
     label = "give a vector of numbers or an array of laws: `vec2(0.0, -5.0)`, `[Law::constant(0.0), Law::sine(5.0, 2.0, 0.0)]`"
 )]
 pub trait ByLaws<T> {
-    /// Returns three laws; components that the plane does not have are zero.
+    /// Returns three laws; in the plane the laws of the missing components are zero.
     #[doc(hidden)]
     fn laws(self) -> [Law; 3];
 }

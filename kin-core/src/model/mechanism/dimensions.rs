@@ -1,4 +1,4 @@
-//! Named dimensions of a mechanism, and the numbers that depend on them.
+//! Declares the named dimensions of a mechanism and finds the numbers that depend on them.
 
 use kin_graph::{Input, Node, Op};
 
@@ -14,11 +14,12 @@ use crate::model::layout::Kind;
 use crate::numbers::algebra::{Axis, Vec2};
 
 impl Mechanism {
-    /// Declares a named number with its nominal value: a length, an angle, a velocity. Other
-    /// numbers of the mechanism can depend on it.
+    /// Declares a named dimension with its nominal value: a length, an angle, a velocity.
     ///
-    /// [`Dimension`] lists the arithmetic. If `value` is an expression of other dimensions, the
-    /// call gives the expression a name.
+    /// Other numbers of the mechanism can depend on the dimension.
+    ///
+    /// [`Dimension`] lists the supported arithmetic. If `value` is an expression of other
+    /// dimensions, the call gives the expression a name.
     ///
     /// Errors: the name is empty or taken, the value is not finite, the expression uses dimensions
     /// of another mechanism.
@@ -64,11 +65,10 @@ impl Mechanism {
         Ok(Dimension::new(value, mechanism, node))
     }
 
-    /// Declares the clearance of a joint: a pin with radial play in its hole, as a dimension of two
-    /// numbers.
+    /// Declares the clearance of a joint, a pin with radial play in its hole, as two dimensions.
     ///
-    /// `radius` is the radial clearance. Both numbers have the nominal value zero and vary
-    /// uniformly in the disc of that radius. Add the result to a point of the joint:
+    /// `radius` is the radial clearance. Both dimensions have the nominal value zero and vary
+    /// uniformly in the disc of this radius. Add the result to a point of the joint:
     /// `revolute(crank, rod, crank.end() + gap, rod.start())`.
     ///
     /// Errors: those of [`Mechanism::dimension`] for `NAME.x` and `NAME.y`. [`Mechanism::build`]

@@ -1,4 +1,4 @@
-//! Friction in joints of a mechanism.
+//! Adds friction to joints of a mechanism.
 
 use super::Mechanism;
 use crate::model::dimension::Beside;
@@ -6,12 +6,14 @@ use crate::model::error::{Error, Result};
 use crate::model::loads::Friction;
 
 impl Mechanism {
-    /// Adds dry friction to an existing joint, by the name of the joint. A second call for the
-    /// joint replaces the first.
+    /// Adds dry friction to an existing joint, by the name of the joint.
     ///
-    /// Friction does not change the motion of a driven mechanism. It increases the efforts of
-    /// drivers and the reactions of joints. The numbers may be dimensions. If no driving force can
-    /// overcome the friction, [`crate::System::forces`] reports a jammed mechanism.
+    /// A second call for the same joint replaces the friction of the first call.
+    ///
+    /// Friction does not change the motion of a driven mechanism. Friction changes the efforts of
+    /// drivers and the reactions of joints. The numbers of the friction may be dimensions. If no
+    /// driving force can overcome the friction, [`crate::System::forces`] reports a jammed
+    /// mechanism.
     ///
     /// ```
     /// # use kin::prelude::*;

@@ -1,4 +1,4 @@
-//! Permitted ranges of measures.
+//! Sets permitted ranges of measures.
 
 use super::Mechanism;
 use crate::model::error::{Error, Result};
@@ -33,11 +33,11 @@ impl Mechanism {
     /// Sets the permitted range of a measure of a joint (`"A.angle"`) or of a coordinate
     /// (`"slider.R_x"`), in its unit.
     ///
-    /// An infinite end means no limit. The range stops nothing: a run reports an event where the
-    /// measure leaves the range ([`crate::Motion::events`]). Slots know their ends without this
-    /// call.
+    /// An infinite end means no limit. The range does not stop a run: a run reports an event where
+    /// the measure leaves the range ([`crate::Motion::events`]). A run also reports the ends of
+    /// slots, without this call.
     ///
-    /// Errors: limits that are not in order. If nothing has the name, [`Mechanism::build`] returns
+    /// Errors: `from` is not below `to`. If no measure has the name, [`Mechanism::build`] returns
     /// an error with the available names.
     pub fn limit(&mut self, measure: &str, from: f64, to: f64) -> Result<()> {
         let limit = Limit { name: measure.to_string(), ends: [from, to] };

@@ -1,4 +1,4 @@
-//! Masses, gravity and loads of a mechanism.
+//! Adds masses, gravity and loads to a mechanism.
 
 use super::{Mechanism, Refused, admission};
 use crate::model::body::Body;
@@ -18,11 +18,12 @@ use crate::model::mechanism::IntoConstraint;
 use crate::numbers::algebra::Vec3;
 
 impl Mechanism {
-    /// Sets the mass of a body, its centre of mass in the body frame, and its inertia about that
-    /// centre. \[kg, m, kg m²\]
+    /// Sets the mass of a body, its centre of mass in the body frame, and its inertia about the
+    /// centre of mass. \[kg, m, kg m²\]
     ///
     /// The inertia is one moment in the plane, and a tensor in the axes of the body in space. Each
-    /// number may be a [`Dimension`]. A second call for the body replaces the first.
+    /// number may be a [`Dimension`]. A second call for the same body replaces the mass of the
+    /// first call.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -42,9 +43,9 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: the ground, a body of another mechanism, a mass that is not positive, numbers that
-    /// are not finite, an inertia that no body can have. Such an inertia is not symmetric, has a
-    /// negative moment, or has a principal moment above the sum of the two others.
+    /// Errors: the body is the ground or belongs to another mechanism; the mass is not positive; a
+    /// number is not finite; no body can have the inertia. An impossible inertia is not symmetric,
+    /// has a negative moment, or has a principal moment above the sum of the two others.
     pub fn mass<B: HasMass>(
         &mut self,
         body: B,
@@ -96,8 +97,8 @@ impl Mechanism {
     /// Adds a mass at a point that belongs to no body, for a mechanism in scalar coordinates.
     /// \[kg\]
     ///
-    /// The point is a constraint of two or three rows whose value is the position r(q, t). Its
-    /// parameters and the mass may be [`Dimension`]s.
+    /// The point is a constraint of two or three rows whose value is the position r(q, t). The
+    /// parameters of the point and the mass may be [`Dimension`]s.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -117,8 +118,8 @@ impl Mechanism {
     /// # }
     /// ```
     ///
-    /// Errors: those of [`Mechanism::add`]; a mass that is not positive; a point with another
-    /// number of rows.
+    /// Errors: those of [`Mechanism::add`]; the mass is not positive; the point does not have two
+    /// or three rows.
     pub fn point_mass(
         &mut self,
         name: &str,
@@ -156,7 +157,7 @@ impl Mechanism {
     /// Sets the acceleration of gravity, such as `vec2(0.0, -9.81)`; without this call it is zero.
     /// \[m/s²\]
     ///
-    /// Its components may be [`Dimension`]s. [`Mechanism::build`] returns an error if a component
+    /// The components may be [`Dimension`]s. [`Mechanism::build`] returns an error if a component
     /// is not finite.
     pub fn gravity(&mut self, g: impl IntoGravity) {
         let numbers = g.numbers();
@@ -178,12 +179,13 @@ impl Mechanism {
     /// Adds a load under a name: an energy, a force along a length or an angle, or a force or
     /// torque on a body.
     ///
-    /// An energy is a [`crate::loads::Potential`]; [`crate::Load`] creates forces; [`crate::loads`]
-    /// is the library. The numbers of a load may be [`Dimension`]s, except in a closure, which
-    /// keeps the values that it captured.
+    /// An energy is a [`crate::loads::Potential`]. [`crate::Load`] creates forces, and
+    /// [`crate::loads`] contains the library of loads. The numbers of a load may be [`Dimension`]s.
+    /// A closure keeps the values that it captured, so its numbers do not follow dimensions.
     ///
-    /// Errors: those of [`Mechanism::add`], a load on the ground alone, invalid laws. If no joint
-    /// has a measure, [`Mechanism::build`] returns the error, because the joint may be added later.
+    /// Errors: those of [`Mechanism::add`]; the load acts on the ground alone; a law is invalid. If
+    /// no joint has the measure of a load, [`Mechanism::build`] returns the error, because the
+    /// program may add the joint later.
     pub fn load(&mut self, name: &str, load: impl IntoLoad) -> Result<()> {
         let mut load = load.into_load();
         let bound = load.take_bindings();

@@ -1,5 +1,6 @@
-//! The description of a mechanism: bodies, scalar coordinates and named constraints.
-//! [`Mechanism::build`] turns it into a [`crate::System`].
+//! Describes a mechanism: bodies, scalar coordinates and named constraints.
+//!
+//! [`Mechanism::build`] creates a [`crate::System`] from the description.
 
 pub(crate) mod admission;
 mod dimensions;
@@ -32,8 +33,9 @@ use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
 use crate::model::units::Units;
 
-/// Bodies, scalar coordinates and constraints of a machine. Units are arbitrary but consistent;
-/// headers show metre, radian and second by default.
+/// The bodies, scalar coordinates and constraints of a machine.
+///
+/// You may use any consistent units. Headers show metre, radian and second by default.
 ///
 /// ```
 /// use kin::prelude::*;
@@ -59,8 +61,8 @@ use crate::model::units::Units;
 /// # }
 /// ```
 ///
-/// A copy is a variant of the mechanism. The handles of bodies and coordinates of the original are
-/// valid in the copy too.
+/// A clone is a variant of the mechanism. The handles of bodies and coordinates of the original are
+/// valid in the clone too.
 #[derive(Clone)]
 pub struct Mechanism {
     pub(crate) name: String,
@@ -88,7 +90,8 @@ pub struct Mechanism {
     pub(crate) hung: Vec<Hung>,
 }
 
-/// The index of a constraint of a mechanism, in the order of adding.
+/// The index of a constraint of a mechanism, in the order in which the program added the
+/// constraints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct ConstraintId(usize);
 
@@ -104,7 +107,7 @@ pub(crate) enum Refused {
     Gravity([Dimension; 3]),
 }
 
-/// A value that a mechanism can add: a constraint, or a `Box<dyn Constraint>`.
+/// A value that [`Mechanism::add`] accepts: a constraint, or a `Box<dyn Constraint>`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a constraint",
     label = "give the constraint that `revolute(…)` or a function with `#[constraint]` returns",
@@ -166,8 +169,8 @@ impl Mechanism {
     /// Adds a planar body between two pins at the distance `length`, with its frame in the middle.
     /// \[m\]
     ///
-    /// The assembly finds its pose. If the length is a [`Dimension`], the pins `start()` and
-    /// `end()` depend on it.
+    /// The assembly finds the pose of the body. If the length is a [`Dimension`], the pins
+    /// `start()` and `end()` depend on the dimension.
     ///
     /// Errors: the length is not positive, the name is empty or taken, a dimension belongs to
     /// another mechanism.
@@ -210,7 +213,8 @@ impl Mechanism {
         Ok(())
     }
 
-    /// Adds a planar body with the coordinates (R_x, R_y, θ) and their guess. \[m, m, rad\]
+    /// Adds a planar body with the coordinates (R_x, R_y, θ) and a guess of the coordinates. \[m,
+    /// m, rad\]
     ///
     /// Errors: the guess is not finite, the name is empty or taken.
     pub fn planar<X: IntoNumber, Y: IntoNumber, A: IntoNumber>(
@@ -223,10 +227,11 @@ impl Mechanism {
         Ok(PlanarBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
-    /// Adds a spatial body with the coordinates (R, e0, e1, e2, e3) and their guess. \[m, –\]
+    /// Adds a spatial body with the coordinates (R, e0, e1, e2, e3) and a guess of the coordinates.
+    /// \[m, –\]
     ///
-    /// Kin normalises p. When it builds the mechanism, it adds the equation |p|² = 1 under the name
-    /// `NAME.p`.
+    /// Kin normalises the Euler parameters p. [`Mechanism::build`] adds the equation |p|² = 1 under
+    /// the name `NAME.p`.
     ///
     /// Errors: the guess is not finite or p = 0, the name is empty or taken.
     pub fn spatial(&mut self, name: &str, pose: impl IntoSpatialPose) -> Result<SpatialBody> {
@@ -238,7 +243,7 @@ impl Mechanism {
         Ok(SpatialBody { mechanism: self.layout.mechanism, index: Some(index) })
     }
 
-    /// Adds a scalar coordinate that is an angle, with its guess. \[rad\]
+    /// Adds a scalar coordinate that is an angle, with a guess of its value. \[rad\]
     ///
     /// Errors: the guess is not finite, the name is empty or taken.
     pub fn angle(&mut self, name: &str, guess: impl IntoNumber) -> Result<Coordinate> {
@@ -246,7 +251,7 @@ impl Mechanism {
         Ok(Coordinate::Own { mechanism: self.layout.mechanism, index })
     }
 
-    /// Adds a scalar coordinate that is a length, with its guess. \[m\]
+    /// Adds a scalar coordinate that is a length, with a guess of its value. \[m\]
     ///
     /// Errors: the guess is not finite, the name is empty or taken.
     pub fn length(&mut self, name: &str, guess: impl IntoNumber) -> Result<Coordinate> {
@@ -271,12 +276,13 @@ impl Mechanism {
 
     /// Adds a constraint under a name.
     ///
-    /// Each error contains the name. Errors:
+    /// Errors, each of which contains the name of the constraint:
     ///
     /// * The name is empty or taken.
     /// * A parameter is not finite or invalid: a negative length, a zero axis, a table that does
     ///   not increase.
-    /// * A body belongs to another mechanism, or a body or coordinate is in the constraint twice.
+    /// * A body belongs to another mechanism, or the constraint contains a body or coordinate
+    ///   twice.
     /// * An equation contains no coordinates, because its bodies are the ground.
     pub fn add(&mut self, name: &str, constraint: impl IntoConstraint) -> Result<ConstraintId> {
         let mut constraint = constraint.into_constraint();

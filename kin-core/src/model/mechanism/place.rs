@@ -1,5 +1,6 @@
-//! Places bodies by points, and finds local positions in bodies as they are drawn. Users often
-//! forget that the frame of a link is in its middle.
+//! Places bodies by points, and finds local positions in bodies at their drawn poses.
+//!
+//! These functions help because users often forget that the frame of a link is in its middle.
 
 use super::{Mechanism, Pose, SpatialPose};
 use crate::model::body::Body;
@@ -29,19 +30,20 @@ use crate::numbers::algebra::{Axis, Components, Mix, Mixed, Scalar, Vec2, Vec3};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Marker<B: Body> {
-    /// The name, for files and figures.
+    /// The name of the marker, for files and figures.
     pub name: String,
-    /// The body.
+    /// The body to which the marker belongs.
     pub body: B,
-    /// The local position. \[m\]
+    /// The position in the frame of the body. \[m\]
     pub u: B::Vector,
-    /// The local direction, of any length. \[–\]
+    /// The direction in the frame of the body, a vector of any length. \[–\]
     pub h: B::Vector,
 }
 
 impl<B: Body> Marker<B> {
-    /// Creates a marker from a local position and direction. [`Mechanism::marker`] accepts global
-    /// ones.
+    /// Creates a marker from a local position and a local direction.
+    ///
+    /// [`Mechanism::marker`] accepts a global position and direction.
     pub fn new(name: &str, body: B, u: impl Into<B::Vector>, h: impl Into<B::Vector>) -> Self {
         Marker { name: name.to_string(), body, u: u.into(), h: h.into() }
     }
@@ -67,24 +69,24 @@ pub(crate) fn facing(components: impl Iterator<Item = f64>) -> SpatialPose {
 }
 
 impl Mechanism {
-    /// Returns the local position ū in a body of a global point, for the body as it is drawn. \[m\]
+    /// Returns the local position ū of a global point in a body at its drawn pose. \[m\]
     ///
-    /// The drawn pose is the guess from the declaration, or the last guess set since.
+    /// The drawn pose is the guess from the declaration, or a later guess that replaced it.
     ///
     /// Errors: the body belongs to another mechanism.
     pub fn local<B: Body>(&self, body: B, point: impl Into<B::Vector>) -> Result<B::Vector> {
         self.drawn(body).map(|q| B::local(point.into(), q))
     }
 
-    /// Returns the local direction h̄ in a body of a global direction, for the body as it is drawn.
+    /// Returns the local direction h̄ of a global direction in a body at its drawn pose.
     ///
     /// Errors: the body belongs to another mechanism.
     pub fn local_direction<B: Body>(&self, body: B, h: impl Into<B::Vector>) -> Result<B::Vector> {
         self.drawn(body).map(|q| B::local_direction(h.into(), q))
     }
 
-    /// Creates a marker of a body from a global point and a global direction, for the body as it is
-    /// drawn. \[m, –\]
+    /// Creates a marker of a body from a global point and a global direction, for the body at its
+    /// drawn pose. \[m, –\]
     ///
     /// Errors: the body belongs to another mechanism, the name is empty.
     pub fn marker<B: Body + Copy>(
@@ -102,8 +104,9 @@ impl Mechanism {
 
     /// Adds a planar body between two pins at the global points `a` and `b`. \[m\]
     ///
-    /// Its length is the distance of the points. Its frame is in the middle, with the x-axis from
-    /// `a` to `b`. If a component is a [`crate::Dimension`], length and guess depend on it.
+    /// The length of the body is the distance of the points. The frame of the body is in the
+    /// middle, with the x-axis from `a` to `b`. If a component is a [`crate::Dimension`], length
+    /// and guess depend on the dimension.
     ///
     /// Errors: the points coincide or are not finite, the name is empty or taken, a dimension
     /// belongs to another mechanism.
@@ -125,8 +128,9 @@ impl Mechanism {
 
     /// Adds a spatial body between two joints at the global points `a` and `b`. \[m\]
     ///
-    /// Its length is the distance of the points. Its frame is in the middle, with the x-axis from
-    /// `a` to `b`. If a component is a [`crate::Dimension`], length and guess depend on it.
+    /// The length of the body is the distance of the points. The frame of the body is in the
+    /// middle, with the x-axis from `a` to `b`. If a component is a [`crate::Dimension`], length
+    /// and guess depend on the dimension.
     ///
     /// Errors: the points coincide or are not finite, the name is empty or taken, a dimension
     /// belongs to another mechanism.

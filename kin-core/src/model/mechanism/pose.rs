@@ -1,4 +1,4 @@
-//! Poses of bodies, and helpers for the numbers of a model.
+//! Defines poses of bodies, and helpers for the numbers of a model.
 
 use super::place::facing;
 use crate::model::dimension::{Dimension, IntoNumber};
@@ -6,8 +6,9 @@ use crate::numbers::algebra::{
     Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3,
 };
 
-/// The position and angle of a planar body: (R_x, R_y, θ). Each is a number or a
-/// [`crate::Dimension`]. \[m, m, rad\]
+/// The position and angle of a planar body: (R_x, R_y, θ). \[m, m, rad\]
+///
+/// Each component is a number or a [`crate::Dimension`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Pose<X = f64, Y = f64, A = f64> {
     /// R_x   \[m\]
@@ -37,12 +38,12 @@ impl<S: Scalar> Pose<S, S, S> {
 pub struct SpatialPose<R = f64, P = f64> {
     /// R   \[m\]
     pub r: Vec3<R>,
-    /// The Euler parameters p, of any length except zero; a mechanism normalises them.
+    /// The Euler parameters p, of any length except zero; a mechanism normalises p.
     pub p: EulerParameters<P>,
 }
 
 impl SpatialPose {
-    /// Creates the pose with position R and Euler parameters p.
+    /// Creates the pose with the position R and the Euler parameters p. \[m, –\]
     pub fn new<R: Scalar, P: Scalar>(
         r: impl Components<3, Scalar = R>,
         p: EulerParameters<P>,
@@ -50,12 +51,13 @@ impl SpatialPose {
         SpatialPose { r: Vec3::from(r.components()), p }
     }
 
-    /// Creates the pose with position R and the axes of the global frame: p = (1, 0, 0, 0).
+    /// Creates the pose with the position R and the axes of the global frame: p = (1, 0, 0, 0).
+    /// \[m\]
     pub fn at<R: Scalar>(r: impl Components<3, Scalar = R>) -> SpatialPose<R> {
         SpatialPose::new(r, EulerParameters::new(1.0, 0.0, 0.0, 0.0))
     }
 
-    /// Creates the pose that is rotated by `angle` about the direction `axis` through its origin R:
+    /// Creates the pose with the position R and a rotation by `angle` φ about the direction `axis`:
     /// p = (cos φ/2, n sin φ/2). \[m, rad\]
     ///
     /// A zero axis means no rotation.
@@ -82,9 +84,9 @@ impl SpatialPose {
     /// Creates the pose at R with the x-axis of the body along h of an axis and its y-axis along f.
     /// \[m, –\]
     ///
-    /// `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))` chooses f; `SpatialPose::facing(r,
-    /// Axis::new(h, f))` sets both directions. If a direction contains a [`Dimension`], the result
-    /// is a [`Facing`], which a mechanism accepts as a pose.
+    /// With `SpatialPose::facing(r, vec3(1.0, 1.0, 0.0))` Kin chooses f. With
+    /// `SpatialPose::facing(r, Axis::new(h, f))` you set both directions. If a direction contains a
+    /// [`Dimension`], the result is a [`Facing`], which a mechanism accepts as a pose.
     pub fn facing<R: IntoNumber, D: Direction>(
         r: impl Components<3, Scalar = R>,
         x: D,
@@ -93,7 +95,7 @@ impl SpatialPose {
     }
 }
 
-/// One or two directions that a spatial body faces.
+/// A value that gives one or two directions that a spatial body faces.
 #[diagnostic::on_unimplemented(
     message = "expected an axis, but found `{Self}`",
     label = "not an axis",
@@ -117,8 +119,9 @@ impl<A: Into<Axis>> Direction for A {
     }
 }
 
-/// A spatial body at a point that faces directions with dimensions ([`SpatialPose::facing`]). If a
-/// dimension changes, Kin rotates the body accordingly.
+/// The pose of a spatial body that faces directions with dimensions ([`SpatialPose::facing`]).
+///
+/// If a dimension changes, Kin rotates the body accordingly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facing {
     /// The components of R, then of one or two directions.
@@ -172,7 +175,7 @@ pub trait IntoSpatialPose {
     fn drawn(self) -> Drawn;
 }
 
-/// A pose as a mechanism stores it.
+/// A pose in the form that a mechanism stores.
 #[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drawn {
@@ -215,8 +218,9 @@ pub fn deg(x: f64) -> f64 {
     x.to_radians()
 }
 
-/// Returns `n` evenly spaced numbers from `a` to `b`, with both ends exact. For n = 1 it returns
-/// `[a]`, for n = 0 an empty list.
+/// Returns `n` evenly spaced numbers from `a` to `b`, with both ends exact.
+///
+/// For n = 1 the result is `[a]`, and for n = 0 the result is empty.
 pub fn linspace(a: f64, b: f64, n: usize) -> Vec<f64> {
     let last = n.saturating_sub(1);
     (0..n)

@@ -9,10 +9,10 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::Place;
 use crate::numbers::algebra::{EulerParameters, Scalar};
 
-/// A quantity that can be preferred near a value of type V.
+/// A quantity whose preferred value [`Mechanism::prefer`] sets, with a value of type V.
 ///
-/// It is a scalar coordinate, a planar body or link (its angle θ), a spatial body or link (its
-/// Euler parameters or its pose), or the name of a measure of a joint or of a coordinate
+/// The quantity is a scalar coordinate, a planar body or link (its angle θ), a spatial body or link
+/// (its Euler parameters or its pose), or the name of a measure of a joint or of a coordinate
 /// (`"A.angle"`).
 pub trait Preferred<V> {
     /// Returns the preference for this value.
@@ -20,17 +20,17 @@ pub trait Preferred<V> {
     fn wish(self, value: V) -> Wish;
 }
 
-/// A recorded preference.
+/// A preference that a mechanism has recorded.
 #[doc(hidden)]
 #[derive(Clone, Debug, PartialEq)]
 pub enum Wish {
-    /// A coordinate near a value.
+    /// The coordinate is near a value.
     Coordinate(Coordinate, Dimension),
-    /// The orientation of a spatial body.
+    /// The orientation of a spatial body is near a value.
     Turn(SpatialBody, EulerParameters<Dimension>),
-    /// The position and orientation of a spatial body.
+    /// The position and orientation of a spatial body are near a pose.
     Pose(SpatialBody, Drawn),
-    /// The measure or coordinate with this name near a value.
+    /// The measure or coordinate with this name is near a value.
     Named(String, Dimension),
 }
 
@@ -95,18 +95,17 @@ impl<S: IntoNumber> Preferred<S> for &String {
 }
 
 impl Mechanism {
-    /// Selects one of several assemblies: the one in which a quantity is nearest to a value. \[m or
-    /// rad\]
+    /// Selects the assembly in which a quantity is nearest to a value. \[m or rad\]
     ///
     /// The quantity is a coordinate, a planar body or link (its angle θ), a spatial body or link
-    /// (its Euler parameters or its pose), or a measure by its name: `m.prefer("elbow.angle",
-    /// deg(-60.0))`. Coordinates and bodies use the value as their guess too. For a measure Kin
-    /// searches all assemblies ([`System::assemblies`](crate::System::assemblies)), unless the
-    /// guess already leads near the value. Full revolutions of an angle do not count. The value may
-    /// be a [`Dimension`].
+    /// (its Euler parameters or its pose), or a measure by its name:
+    /// `m.prefer("elbow.angle", deg(-60.0))`. For a coordinate or body Kin also uses the value as
+    /// the guess. For a measure Kin searches all assemblies
+    /// ([`System::assemblies`](crate::System::assemblies)), unless the guess already leads near the
+    /// value. Kin ignores full revolutions of an angle. The value may be a [`Dimension`].
     ///
     /// [`Mechanism::build`] returns an error if the value is not finite, if the body belongs to
-    /// another mechanism, or if nothing has the name.
+    /// another mechanism, or if no measure or coordinate has the name.
     pub fn prefer<V>(&mut self, what: impl Preferred<V>, value: V) {
         let wish = what.wish(value);
         if self.note(wish.clone()).is_err() {

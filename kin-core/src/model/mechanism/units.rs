@@ -1,17 +1,21 @@
-//! Declared names of units, and what contradicts them.
+//! Declares the names of units, and checks that they do not contradict other numbers.
 
 use super::{Mechanism, Refused};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 
-/// The result of [`Mechanism::units`], to which [`UnitWords::mass`] adds the unit of mass.
+/// The names of the units from [`Mechanism::units`], to which [`UnitWords::mass`] adds the unit of
+/// mass.
 pub struct UnitWords<'a> {
     mechanism: &'a mut Mechanism,
 }
 
 impl UnitWords<'_> {
-    /// Names the unit of mass. The units of force, torque, energy and power follow from it.
+    /// Names the unit of mass.
+    ///
+    /// Kin derives the units of force, torque, energy and power from the units of length, time and
+    /// mass.
     pub fn mass(self, mass: &str) {
         let units = self.mechanism.layout.words.with_mass(mass);
         let again = std::mem::replace(&mut self.mechanism.declared[1], true);
@@ -29,12 +33,12 @@ impl Mechanism {
     /// Names the units of length and time in files, pages and messages: `m.units("mm", "s")`. The
     /// default is `m`, `s` and `kg`.
     ///
-    /// For another unit of mass write `m.units("mm", "s").mass("t")`. Kin converts nothing: all
-    /// numbers must be in these units.
+    /// For another unit of mass, write `m.units("mm", "s").mass("t")`. Kin does not convert
+    /// numbers: write all numbers in the named units.
     ///
-    /// [`Mechanism::build`] returns an error for contradictions: an empty word, the word of another
-    /// quantity, other words in a later call, the earth's gravity in other units, a dimension in
-    /// another unit of length.
+    /// [`Mechanism::build`] returns an error in these cases: a name is empty or names another
+    /// quantity; a later call gives other names; the gravity is the earth's gravity in other units;
+    /// a dimension has another unit of length.
     pub fn units(&mut self, length: &str, time: &str) -> UnitWords<'_> {
         let units = Units::new(length, time).with_mass(self.layout.words.mass());
         let again = std::mem::replace(&mut self.declared[0], true);

@@ -1,12 +1,14 @@
-//! Breaks of laws that a run has crossed.
+//! Describes the breaks of laws that a run has crossed.
 
 use crate::model::law::Break;
 
-/// A break of a law that a run has crossed. A derivative of the motion jumps there.
+/// A break of a law that a run has crossed.
+///
+/// At the break a derivative of the motion jumps.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct CrossedBreak {
-    /// The last time before the break, and the first time after it or at it. \[s\]
+    /// The last time before the break, and the first time at or after the break. \[s\]
     pub between: (f64, f64),
     /// The constraint that contains the law.
     pub constraint: String,

@@ -1,4 +1,6 @@
-//! Events of a motion. Each happens at one time to a named thing.
+//! Describes the events of a motion.
+//!
+//! An event happens at one time to a named part of the mechanism.
 
 use serde::{Deserialize, Serialize};
 
@@ -11,23 +13,24 @@ use crate::model::words::time;
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum EventKind {
-    /// The measure of a joint passes the end of its range: a stop, or the end of a slot.
+    /// A measure passes an end of its range, such as a stop or the end of a slot.
     Limit,
     /// The motion reaches a toggle, beyond which no position exists.
     TurningPoint,
     /// The motion passes a change point, where branches cross.
     Bifurcation,
     /// An equation has a kink: the condition of an `if` changes, or `abs`, `max` or `min` changes
-    /// its side. Derivatives at this time belong to one side. Kin does not know the kinks of
-    /// constraints on the dual route.
+    /// its branch. The derivatives at this time are those of one branch. Kin does not find the
+    /// kinks of constraints on the dual route.
     Kink,
-    /// The run leaves the range of a table of a law, where the law continues as a straight line. A
-    /// sequence that holds its last value is not reported.
+    /// The run leaves the range of the table of a law, and the law continues as a straight line.
+    /// Kin does not report a sequence that holds its last value.
     BeyondRange,
 }
 
 impl EventKind {
-    /// Returns true if the event is a warning: the motion after it may not be what the user wants.
+    /// Returns true if the event is a warning: the motion after the event may not be the motion
+    /// that the user wants.
     pub fn is_warning(self) -> bool {
         matches!(self, EventKind::BeyondRange)
     }
@@ -51,14 +54,15 @@ impl std::fmt::Display for EventKind {
 pub struct Event {
     /// The time of the event. \[s\]
     pub t: f64,
-    /// Names of the units of length and time. A motion that receives the event sets them.
+    /// Names of the units of length and time. A motion that receives the event sets the names.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
     /// The kind of the event.
     pub kind: EventKind,
-    /// The user's name of the thing to which the event happens, such as `slot.slide`.
+    /// The user's name of the measure, constraint or body to which the event happens, such as
+    /// `slot.slide`.
     pub name: String,
-    /// The event as a sentence.
+    /// A sentence that describes the event.
     pub text: String,
 }
 

@@ -1,5 +1,6 @@
-//! A motion as data: the results of a run at each time. `solve/motion/` derives other results from
-//! it.
+//! Stores a motion: the results of a run at each time.
+//!
+//! The module `solve/motion/` derives other results from a motion.
 
 mod crossed;
 mod event;
@@ -19,8 +20,9 @@ pub use series::Series;
 pub use singular::{Branch, SingularKind, SingularPosition};
 pub use warning::{Warning, WarningKind};
 
-/// The result of a run: q, q̇ and q̈ at each time, all finite, with a report of the computation. It
-/// contains q⃛ if the run computed the jerk.
+/// The result of a run: q, q̇ and q̈ at each time, all finite, with a report of the computation.
+///
+/// The motion contains q⃛ if the run computed the jerk.
 #[derive(Clone)]
 pub struct Motion {
     pub(crate) name: String,
@@ -59,27 +61,32 @@ pub struct Motion {
     pub(crate) plain: Option<Arc<str>>,
 }
 
-/// How a run was computed. All numbers are zero if the step-by-step solver computed everything.
+/// Counts the times that the compiled program computed in a run.
+///
+/// All numbers are zero if the step-by-step solver computed everything.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct EngineCounts {
     /// The number of times that the compiled program has computed; the step-by-step solver has
     /// computed the others.
     pub compiled: usize,
-    /// How often the program returned the rest of a block of times to the step-by-step solver.
+    /// The number of blocks whose remaining times the program returned to the step-by-step solver.
     pub handed_back: usize,
 }
 
 impl Motion {
-    /// Returns how many times the compiled program has computed ([`crate::Engine::Compiled`]), and
-    /// how often it returned the rest of a block to the step-by-step solver.
+    /// Returns the number of times that the compiled program has computed
+    /// ([`crate::Engine::Compiled`]), and the number of blocks that it returned to the step-by-step
+    /// solver.
     pub fn engine(&self) -> EngineCounts {
         self.engine
     }
 
     /// Returns the reason why the step-by-step solver computed everything although a compiled
-    /// program would have been faster. The reason names the constraint. Returns `None` if a program
-    /// was used, or if the run did not look for one.
+    /// program would have been faster.
+    ///
+    /// The reason names the constraint. Returns `None` if the run used a program, or if the run did
+    /// not try to compile a program.
     pub fn why_not_compiled(&self) -> Option<&str> {
         self.plain.as_deref()
     }
@@ -144,7 +151,7 @@ impl Motion {
         self.times.len()
     }
 
-    /// Returns true if there is no time.
+    /// Returns true if the motion has no times.
     pub fn is_empty(&self) -> bool {
         self.times.is_empty()
     }
@@ -154,31 +161,36 @@ impl Motion {
         &self.times
     }
 
-    /// Returns q at time k, in the order of [`Motion::names`]. It is empty beyond the last time.
-    /// \[m, rad\]
+    /// Returns q at time k, in the order of [`Motion::names`]. \[m, rad\]
+    ///
+    /// The slice is empty if k is beyond the last time.
     pub fn q(&self, k: usize) -> &[f64] {
         self.row(&self.q, k)
     }
 
-    /// Returns q̇ at time k. It is empty beyond the last time. \[m/s, rad/s\]
+    /// Returns q̇ at time k. \[m/s, rad/s\]
+    ///
+    /// The slice is empty if k is beyond the last time.
     pub fn qd(&self, k: usize) -> &[f64] {
         self.row(&self.qd, k)
     }
 
-    /// Returns q̈ at time k. It is empty beyond the last time. \[m/s², rad/s²\]
+    /// Returns q̈ at time k. \[m/s², rad/s²\]
+    ///
+    /// The slice is empty if k is beyond the last time.
     pub fn qdd(&self, k: usize) -> &[f64] {
         self.row(&self.qdd, k)
     }
 
     /// Returns q⃛ at time k. \[m/s³, rad/s³\]
     ///
-    /// It is empty beyond the last time, and if the run did not compute the jerk
+    /// The slice is empty if k is beyond the last time, or if the run did not compute the jerk
     /// ([`crate::SolverOptions::jerk`]).
     pub fn qddd(&self, k: usize) -> &[f64] {
         self.row(&self.qddd, k)
     }
 
-    /// Returns q of all times as one contiguous slice: a row for each time, a column for each
+    /// Returns q at all times as one contiguous slice: a row for each time, a column for each
     /// coordinate, like an array of NumPy or ndarray. \[m, rad\]
     pub fn q_rows(&self) -> &[f64] {
         &self.q
@@ -194,8 +206,9 @@ impl Motion {
         &self.qdd
     }
 
-    /// Returns q⃛ of all times in the layout of [`Motion::q_rows`]. It is empty if the run did not
-    /// compute the jerk. \[m/s³, rad/s³\]
+    /// Returns q⃛ of all times in the layout of [`Motion::q_rows`]. \[m/s³, rad/s³\]
+    ///
+    /// The slice is empty if the run did not compute the jerk.
     pub fn qddd_rows(&self) -> &[f64] {
         &self.qddd
     }
@@ -236,7 +249,7 @@ impl Motion {
         &self.iterations
     }
 
-    /// Returns max |C_i| at each time, in the unit of its row.
+    /// Returns the largest residual max |C_i| at each time, in the unit of its row.
     pub fn residuals(&self) -> &[f64] {
         &self.residuals
     }
@@ -246,21 +259,25 @@ impl Motion {
         self.equations.get(self.worst?.1).map(String::as_str)
     }
 
-    /// Returns the derived quantities that were added.
+    /// Returns the derived quantities that the program added to the motion.
     pub fn outputs(&self) -> &[Series] {
         &self.outputs
     }
 
-    /// Returns the breaks of laws that the run crossed, in the order of time. A derivative of the
-    /// motion jumps there.
+    /// Returns the breaks of laws that the run crossed, in the order of time.
     ///
-    /// The list has at most 100 000 breaks, and at most ten thousand of one law between two times.
+    /// At each break a derivative of the motion jumps.
+    ///
+    /// The list has at most 100 000 breaks in all, and at most 10 000 breaks of one law between two
+    /// times.
     pub fn breaks(&self) -> &[CrossedBreak] {
         &self.breaks
     }
 
     /// Returns the singular positions of the run in the order of time: change points, and a toggle
-    /// as the last one. [`Motion::events`] contains them too.
+    /// as the last one.
+    ///
+    /// [`Motion::events`] contains the singular positions too.
     pub fn singular_positions(&self) -> &[SingularPosition] {
         &self.singular
     }

@@ -1,4 +1,4 @@
-//! One quantity over time.
+//! Stores one quantity over time.
 
 use std::sync::Arc;
 
@@ -66,7 +66,7 @@ impl Series {
         &self.times
     }
 
-    /// Returns the names of the units of length and time; times are in this unit of time.
+    /// Returns the names of the units of length and time.
     pub fn unit_words(&self) -> &Units {
         &self.units
     }
@@ -86,18 +86,21 @@ impl Series {
         self.best(|a, b| a < b).map_or(f64::NAN, |k| self.values[k])
     }
 
-    /// Returns the first time of the largest value, or NaN for an empty series. \[s\]
+    /// Returns the first time at which the series has its largest value, or NaN for an empty
+    /// series. \[s\]
     pub fn at_max(&self) -> f64 {
         self.best(|a, b| a > b).map_or(f64::NAN, |k| self.times[k])
     }
 
-    /// Returns the first time of the smallest value, or NaN for an empty series. \[s\]
+    /// Returns the first time at which the series has its smallest value, or NaN for an empty
+    /// series. \[s\]
     pub fn at_min(&self) -> f64 {
         self.best(|a, b| a < b).map_or(f64::NAN, |k| self.times[k])
     }
 
-    /// Returns the root mean square over time, √(1/T ∫ x² dt), by the trapezoidal rule. The heating
-    /// of a motor depends on it. It is NaN for an empty series.
+    /// Returns the root mean square over time, √(1/T ∫ x² dt), by the trapezoidal rule.
+    ///
+    /// The heating of a motor depends on this value. The result is NaN for an empty series.
     pub fn rms(&self) -> f64 {
         let all: Vec<(f64, f64)> =
             self.times.iter().copied().zip(self.values.iter().copied()).collect();

@@ -1,4 +1,4 @@
-//! Singular positions of a run.
+//! Describes the singular positions of a run.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,13 +10,13 @@ use crate::model::units::Units;
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum SingularKind {
-    /// A toggle: no position exists beyond it.
+    /// A toggle: no position exists beyond this position.
     TurningPoint,
     /// A change point: branches of the motion cross.
     Bifurcation,
 }
 
-/// A branch through a singular position, with its velocities and accelerations there.
+/// A branch through a singular position, with its velocities and accelerations at this position.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Branch {
@@ -26,8 +26,7 @@ pub struct Branch {
     pub qdd: Vec<f64>,
 }
 
-/// A position with a singular C_q that a motion reaches, between times of the grid or at one of
-/// them.
+/// A position with a singular C_q that a motion reaches, at or between times of the grid.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct SingularPosition {
@@ -37,13 +36,13 @@ pub struct SingularPosition {
     pub kind: SingularKind,
     /// The position.   \[m, rad\]
     pub q: Vec<f64>,
-    /// Bodies and coordinates that can move there while all drivers are at rest.
+    /// Bodies and coordinates that can move at the singular position while all drivers are at rest.
     pub movable: Vec<String>,
-    /// Equations that depend on one another there.
+    /// Equations that depend on one another at the singular position.
     pub dependent: Vec<String>,
-    /// The branches that cross there; the first is the branch that the run took. A branch on which
-    /// the drivers rest is not included. The list is empty at a turning point, where q̇ has no
-    /// bound.
+    /// The branches that cross at the singular position; the first branch is the one that the run
+    /// took. The list omits a branch on which the drivers rest. The list is empty at a toggle,
+    /// where q̇ has no bound.
     pub branches: Vec<Branch>,
 }
 

@@ -1,4 +1,4 @@
-//! Warnings of a motion: usual slips that still give a motion.
+//! Describes the warnings of a motion: common mistakes with which a run still succeeds.
 
 use serde::{Deserialize, Serialize};
 
@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum WarningKind {
-    /// A number looks like an angle in degrees, where Kin reads radians.
+    /// A number looks like an angle in degrees, but Kin expects radians.
     Degrees,
-    /// The first position of a body is far from the drawn one.
+    /// The first position of a body is far from its drawn position.
     FarFromDrawn,
-    /// The run begins at a position that is singular, or nearly so.
+    /// The run begins at or near a singular position.
     SingularStart,
-    /// The run goes on beyond the end of a table of a law.
+    /// The run continues beyond the end of the table of a law.
     BeyondRange,
 }
 
@@ -28,17 +28,19 @@ impl std::fmt::Display for WarningKind {
     }
 }
 
-/// A usual slip that Kin sees in a run that succeeds. The numbers of the motion are right for the
-/// mechanism as it was described, but the mechanism may not be the one that was meant.
+/// A common mistake that Kin suspects although the run succeeds.
+///
+/// The numbers of the motion are correct for the mechanism in the program, but the user may have
+/// intended another mechanism.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Warning {
-    /// Kind of the warning.
+    /// The kind of the warning.
     pub kind: WarningKind,
     /// The constraints, bodies, coordinates and measures that the warning concerns, by the names
     /// that the user gave.
     pub names: Vec<String>,
-    /// The warning in plain sentences: what Kin sees, and what to do.
+    /// The text of the warning: the observation, and what to do.
     pub text: String,
 }
 

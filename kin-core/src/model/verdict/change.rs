@@ -1,10 +1,10 @@
-//! Changes after which a mechanism can be driven.
+//! Describes changes after which a mechanism can be driven.
 
 use serde::{Deserialize, Serialize};
 
 use super::gap::{Asks, Step};
 
-/// A single change of the model.
+/// A single change of the mechanism.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Change {
@@ -28,20 +28,20 @@ pub enum Change {
         /// The number of rows of the joint.
         of: usize,
     },
-    /// Give one of these dimensions another value. Then the mechanism closes, and its drivers can
+    /// Give one dimension of a list another value, so that the mechanism closes and its drivers can
     /// move it.
     Resize {
         /// The possible changes, the most likely first.
         any: Vec<Resize>,
     },
-    /// Allow redundant equations to contradict each other by this share of the mechanism's size
-    /// ([`crate::SolverOptions::allowed_misfit`]). Parts of ordinary accuracy cause contradictions
-    /// of this size.
+    /// Allow redundant equations to contradict each other by a given share of the mechanism's size
+    /// ([`crate::SolverOptions::allowed_misfit`]). Parts with ordinary manufacturing accuracy cause
+    /// contradictions of this size.
     Allow {
         /// The misfit to allow.   \[-\]
         misfit: f64,
     },
-    /// Exchange two points of a constraint: each is a point of the other body.
+    /// Exchange two points of a constraint, because each point belongs to the other body.
     Swap {
         /// The constraint.
         constraint: String,
@@ -55,7 +55,8 @@ pub enum Change {
         /// All such points.
         points: Vec<GlobalPoint>,
     },
-    /// Move one of two constraints to the other end of a body: both hold the same end.
+    /// Move one of two constraints to the other end of a body, because both constraints hold the
+    /// same end.
     OtherEnd {
         /// The constraints.
         constraints: [String; 2],
@@ -64,7 +65,7 @@ pub enum Change {
         /// The end that both hold, in the frame of the body. \[m\]
         point: Vec<f64>,
     },
-    /// Reduce the range of a driver: its value is beyond the reach of the mechanism.
+    /// Reduce the range of a driver, because its value is beyond the reach of the mechanism.
     Limit {
         /// The driver.
         constraint: String,
@@ -74,12 +75,13 @@ pub enum Change {
         /// Dimensions that the user could change instead.
         or: Vec<Resize>,
     },
-    /// Replace the step of an equation by a smooth function, or keep the coordinate away from it.
+    /// Replace the step of an equation by a smooth function, or keep the coordinate away from the
+    /// step.
     Smooth {
         /// The step.
         step: Step,
     },
-    /// Remove some rows of a constraint: use a joint that holds less.
+    /// Remove some rows of a constraint, by using a joint that removes fewer freedoms.
     Drop {
         /// The constraint.
         constraint: String,
@@ -98,18 +100,18 @@ pub enum Change {
         /// The bodies that move with the coordinate.
         moves: Vec<String>,
     },
-    /// Replace one of these joints by a joint with more freedoms, and add a motor. At present the
+    /// Replace one joint of a list by a joint with more freedoms, and add a motor. At present the
     /// joints remove all freedoms, and the mechanism has no driver.
     Loosen {
         /// The joints.
         constraints: Vec<String>,
     },
-    /// Connect a body to others: no constraint holds it.
+    /// Connect a body to other bodies, because no constraint holds the body.
     Join {
         /// The body or coordinate.
         body: String,
     },
-    /// Connect two planar bodies that one joint each holds, or drive both.
+    /// Connect two planar bodies, each of which has only one joint, or drive both bodies.
     Pin {
         /// The bodies.
         bodies: [String; 2],
@@ -134,8 +136,8 @@ pub struct Resize {
     pub is: Vec<f64>,
     /// A value that closes the mechanism.
     pub fits: Vec<f64>,
-    /// True if only this value works. False if all values beyond it, seen from the present one,
-    /// work too.
+    /// True if only the value in `fits` works. False if all values further away from the present
+    /// value work too.
     pub exact: bool,
 }
 
@@ -176,8 +178,8 @@ pub struct GlobalPoint {
     pub point: String,
     /// The body to which the parameter belongs.
     pub body: String,
-    /// The given point. \[m\]
+    /// The point as the user gave it, in the global frame. \[m\]
     pub given: Vec<f64>,
-    /// Its local position in the body as it is drawn. \[m\]
+    /// The local position of the point in the body at its drawn pose. \[m\]
     pub local: Vec<f64>,
 }

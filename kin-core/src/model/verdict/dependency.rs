@@ -1,4 +1,4 @@
-//! Equations that depend on one another.
+//! Describes equations that depend on one another.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Class {
-    /// One equation repeats others, at nearby poses too, and all can be satisfied. This is
-    /// harmless.
+    /// One equation repeats others, at nearby poses too, and all equations can be satisfied. A
+    /// redundant dependency is harmless.
     Redundant,
     /// The equations cannot be satisfied together.
     Contradictory {
@@ -38,31 +38,35 @@ pub enum Level {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Term {
-    /// The constraint.
+    /// The name of the constraint.
     pub constraint: String,
-    /// The equation, such as `B.x`.
+    /// The name of the equation, such as `B.x`.
     pub equation: String,
-    /// The row of the equation in the system.
+    /// The index of the equation among the rows of the system.
     pub row: usize,
-    /// The coefficient. \[unit of the dependent row / unit of this row\]
+    /// The coefficient of the equation in the dependency. \[unit of the dependent row / unit of
+    /// this row\]
     pub coefficient: f64,
 }
 
-/// A minimal set of equations with Σ coefficient · ∂C_i/∂q = 0. Without any one of them the others
-/// are independent.
+/// A minimal set of dependent equations: Σ coefficient · ∂C_i/∂q = 0.
+///
+/// If you remove any equation of the set, the other equations are independent.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Dependency {
-    /// The class.
+    /// The class of the dependency.
     pub class: Class,
-    /// The terms. The first one has the coefficient 1; it is the redundant equation. Norms of Euler
-    /// parameters are omitted, because no user wrote them.
+    /// The equations with their coefficients. The first equation has the coefficient 1 and is the
+    /// redundant equation. The list omits norms of Euler parameters, because no user wrote these
+    /// equations.
     pub terms: Vec<Term>,
 }
 
 impl Dependency {
-    /// Returns the names of the constraints in the dependency, each once. The first is that of the
-    /// redundant equation.
+    /// Returns the names of the constraints in the dependency, each once.
+    ///
+    /// The first name is the constraint of the redundant equation.
     pub fn constraints(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         for term in &self.terms {

@@ -1,4 +1,4 @@
-//! The diagnosis of a mechanism at one time and pose.
+//! Stores the diagnosis of a mechanism at one time and pose.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,8 +9,9 @@ use super::freedom::{Freedom, Persistence};
 use super::gap::Gap;
 use crate::model::units::Units;
 
-/// The diagnosis of a mechanism at one time and pose, as data for programs. `Display` writes a
-/// report for people.
+/// The diagnosis of a mechanism at one time and pose, as data for programs.
+///
+/// `Display` writes a report for people.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Diagnosis {
@@ -21,7 +22,8 @@ pub struct Diagnosis {
     /// Names of the units of length and time.
     #[serde(default, skip_serializing_if = "Units::is_default")]
     pub units: Units,
-    /// The examined pose: an assembled one, or the one with the smallest gap. \[m, rad\]
+    /// The examined pose: an assembled pose, or the pose with the smallest gap if the mechanism
+    /// cannot be assembled. \[m, rad\]
     pub q: Vec<f64>,
     /// Number of coordinates n.
     pub coordinates: usize,
@@ -31,16 +33,18 @@ pub struct Diagnosis {
     pub drivers: usize,
     /// Number of freedoms by counting (Grübler): n minus the equations that do not drive.
     pub gruebler: isize,
-    /// Number of freedoms that the joints really leave: n minus their rank at nearby poses.
+    /// Number of freedoms that the joints leave: n minus the rank of the joints' equations at
+    /// nearby poses.
     pub mobility: usize,
     /// Rank of C_q at the pose.
     pub rank: usize,
-    /// Rank of C_q at nearby poses of the same assembly, or at the pose if there are none.
+    /// Rank of C_q at nearby poses of the same assembly, or at the pose itself if no nearby poses
+    /// exist.
     pub nearby_rank: usize,
-    /// True if nearby poses exist, or if the rank is full and Kin did not need any.
+    /// True if nearby poses exist, or if the rank is full and Kin did not need nearby poses.
     pub moves: bool,
-    /// The smallest accepted pivot divided by the largest rejected one. The rank is clear from 1e6
-    /// on. \[-\]
+    /// The smallest accepted pivot divided by the largest rejected pivot. The decision about the
+    /// rank is clear if this ratio is at least 1e6. \[-\]
     #[serde(with = "super::unbounded")]
     pub gap: f64,
     /// Constraints that cannot be satisfied together with all others, with their smallest
@@ -50,23 +54,26 @@ pub struct Diagnosis {
     pub dependencies: Vec<Dependency>,
     /// Motions that no constraint holds or drives.
     pub freedoms: Vec<Freedom>,
-    /// Where to start instead, if only this position is singular; otherwise `None`.
+    /// An alternative position at which to start, if only the examined position is singular;
+    /// otherwise `None`.
     #[serde(default)]
     pub elsewhere: Option<Elsewhere>,
-    /// The smallest set of changes after which the mechanism is exactly constrained. It is empty if
-    /// no change is necessary or none helps.
+    /// The smallest set of changes after which the mechanism is exactly constrained. The list is
+    /// empty if no change is necessary, or if Kin finds no change that helps.
     pub changes: Vec<Change>,
 }
 
 impl Diagnosis {
-    /// Returns true if the mechanism can be driven at this pose: no contradiction, no free motion.
+    /// Returns true if the mechanism can be driven at this pose: the diagnosis contains no
+    /// contradiction and no free motion.
     pub fn can_be_driven(&self) -> bool {
         self.rank == self.coordinates
             && self.contradictions().next().is_none()
             && self.gaps.is_empty()
     }
 
-    /// Returns true if there are as many equations as coordinates, and all are independent.
+    /// Returns true if the mechanism has as many equations as coordinates, and all equations are
+    /// independent.
     pub fn is_exactly_constrained(&self) -> bool {
         self.can_be_driven() && self.equations == self.coordinates
     }
@@ -82,7 +89,7 @@ impl Diagnosis {
         self.dependencies.iter().filter(|found| matches!(found.class, Class::Contradictory { .. }))
     }
 
-    /// Returns the freedoms that exist at nearby poses too: a driver is missing.
+    /// Returns the freedoms that also exist at nearby poses, so a driver or constraint is missing.
     pub fn lasting_freedoms(&self) -> impl Iterator<Item = &Freedom> {
         self.freedoms.iter().filter(|freedom| freedom.persistence == Persistence::Always)
     }

@@ -1,4 +1,4 @@
-//! Where to start instead of a singular position.
+//! Describes where to start instead of a singular position.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,23 +1,25 @@
-//! Motions that no constraint holds or drives.
+//! Describes motions that no constraint holds or drives.
 
 use serde::{Deserialize, Serialize};
 
 use crate::numbers::algebra::Vec3;
 
-/// The persistence of a freedom: says whether it exists at nearby poses.
+/// Says whether a freedom exists at nearby poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Persistence {
-    /// The freedom exists at this pose and nearby: no constraint holds or drives it.
+    /// The freedom exists at this pose and at nearby poses: no constraint holds or drives the
+    /// freedom.
     Always,
-    /// The freedom exists at this pose only: a toggle or a change point.
+    /// The freedom exists at this pose only: the pose is a toggle or a change point.
     OnlyHere,
-    /// The freedom is of first order only: the structure is shaky, but it cannot move.
+    /// The freedom is of first order only: the structure is shaky, but cannot move.
     Infinitesimal,
 }
 
-/// How a body moves at this instant. Velocities are relative to those of the other bodies of the
-/// same freedom.
+/// The motion of a body at one instant.
+///
+/// Only the ratios of the velocities of the bodies of a freedom are meaningful.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum How {
@@ -66,11 +68,11 @@ pub enum How {
 pub struct BodyMotion {
     /// The bodies, or the scalar coordinate.
     pub names: Vec<String>,
-    /// How they move.
+    /// The motion of the bodies.
     pub how: How,
 }
 
-/// One free motion.
+/// One motion that no constraint holds or drives.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Freedom {
@@ -78,26 +80,29 @@ pub struct Freedom {
     pub persistence: Persistence,
     /// The motions of the bodies.
     pub motions: Vec<BodyMotion>,
-    /// A coordinate that takes part in this freedom and in no other. A driver of this coordinate
-    /// removes the freedom.
+    /// A coordinate that takes part in this freedom and in no other freedom. A driver of this
+    /// coordinate removes the freedom.
     pub coordinate: String,
-    /// The motion in coordinates, C_q q̇ = 0 (length n). It is empty if all freedoms together would
-    /// need more than 2²² numbers; [`Freedom::motions`] then still describes the motion. \[m, rad\]
+    /// The motion in coordinates, C_q q̇ = 0 (length n). \[m, rad\] The list is empty if all
+    /// freedoms together need more than 2²² numbers. [`Freedom::motions`] describes the motion in
+    /// every case.
     pub direction: Vec<f64>,
-    /// True if nothing depends on the freedom: points of one line hold the bodies, which rotate
+    /// True if the freedom moves no other body: points of one line hold the bodies, which rotate
     /// about that line, like a rod between two ball joints.
     #[serde(default)]
     pub idle: bool,
-    /// For an infinitesimal freedom the distance that play in the joints allows; otherwise `None`.
+    /// For an infinitesimal freedom, the distance that play in the joints allows; otherwise `None`.
     #[serde(default)]
     pub play: Option<Play>,
 }
 
-/// The distance that play allows a shaky structure to move; without play it is rigid.
+/// The distance by which play lets a shaky structure move.
 ///
-/// The structure moves by about √(2 ε Λ / κ) along the motion n of first order. ε is the play of
-/// every joint, κ = l · (C_q n)_q n is the holding term of second order with lᵀ C_q = 0, and Λ is
-/// the sum of the forces |l| in the joints.
+/// Without play the structure is rigid.
+///
+/// The structure moves by about √(2 ε Λ / κ) along the motion n of first order. The length ε is the
+/// play of every joint. The number κ = l · (C_q n)_q n with lᵀ C_q = 0 is the holding term of
+/// second order, and Λ is the sum of the forces |l| in the joints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Play {
@@ -105,9 +110,9 @@ pub struct Play {
     pub body: String,
     /// The assumed play of every joint. With four times the play the body moves twice as far. \[m\]
     pub play: f64,
-    /// The displacement of the body's origin, to each side. \[m\]
+    /// The displacement of the body's origin in each direction. \[m\]
     pub moves: f64,
-    /// The rotation of the body, to each side. \[rad\]
+    /// The rotation of the body in each direction. \[rad\]
     pub turns: f64,
 }
 

@@ -1,10 +1,10 @@
-//! Constraints that cannot be satisfied together with all others.
+//! Describes constraints that cannot be satisfied together with all other constraints.
 
 use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-/// A constraint that cannot be satisfied together with all others.
+/// A constraint that cannot be satisfied together with all other constraints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Gap {
@@ -14,23 +14,24 @@ pub struct Gap {
     pub rows: Vec<usize>,
     /// The names of its equations, such as `B.x`.
     pub equations: Vec<String>,
-    /// The residual of each equation where all other constraints are satisfied and this one is as
-    /// close as Kin found. \[unit of the row\]
+    /// The residual of each equation at the pose that satisfies all other constraints and has the
+    /// smallest residual that Kin found. \[unit of the row\]
     pub residual: Vec<f64>,
-    /// For a driver of one coordinate: the coordinate, its required value and the nearest value.
-    /// `None` for other constraints. \[m or rad\]
+    /// For a driver of one coordinate, the coordinate with its required value and the nearest
+    /// possible value; `None` for other constraints. \[m or rad\]
     pub asks: Option<Asks>,
-    /// True if the equations depend on the others at nearby poses too, so they contradict each
-    /// other. False if something does not reach.
+    /// True if the equations also depend on other equations at nearby poses, so the equations
+    /// contradict each other. False if the constraint is out of reach.
     pub lasting: bool,
     /// The number of starts of the search.
     pub starts: usize,
-    /// The other drivers. A driver of one coordinate has its required and its nearest value.
+    /// The other drivers. For a driver of one coordinate, the list contains its required and its
+    /// reached value.
     #[serde(default)]
     pub against: Vec<Against>,
     /// True if an equation of the mechanism can jump when coordinates move (`floor`, `%`, `signum`,
-    /// an `if`), or if Kin does not know. Then a smaller residual than the given one may exist
-    /// nearby.
+    /// an `if`), or if Kin cannot exclude a jump. If true, a nearby pose may have a smaller
+    /// residual.
     #[serde(default)]
     pub can_jump: bool,
     /// The jumps that Kin found near the pose.
@@ -38,7 +39,7 @@ pub struct Gap {
     pub steps: Vec<Step>,
 }
 
-/// A jump of an equation along one coordinate, with all others constant.
+/// A jump of an equation along one coordinate, with all other coordinates constant.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Step {
@@ -52,21 +53,21 @@ pub struct Step {
     pub at: f64,
     /// The value of the equation just below the jump. \[unit of the row\]
     pub from: f64,
-    /// The value just above the jump. \[unit of the row\]
+    /// The value of the equation just above the jump. \[unit of the row\]
     pub to: f64,
 }
 
-/// Another driver, where one cannot be satisfied.
+/// Another driver of the mechanism, in addition to the driver that cannot be satisfied.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Against {
-    /// The driver.
+    /// The name of the driver.
     pub constraint: String,
-    /// The required value and the reached one, for a driver of one coordinate; otherwise `None`.
+    /// The required value and the reached value, for a driver of one coordinate; otherwise `None`.
     pub asks: Option<Asks>,
 }
 
-/// The value that a driver requires and does not reach.
+/// The value that a driver requires, and the value that the coordinate reaches.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub struct Asks {
@@ -76,8 +77,8 @@ pub struct Asks {
     pub asked: f64,
     /// The reached value. \[m or rad\]
     pub stands: f64,
-    /// The difference of a required angle from its guess at a first position; `None` for lengths
-    /// and for later positions. \[rad\]
+    /// The difference of a required angle from its guess, at the first position of a run. `None`
+    /// for lengths and for later positions. \[rad\]
     #[serde(default)]
     pub beyond_guess: Option<f64>,
 }
@@ -95,8 +96,9 @@ impl Asks {
 }
 
 impl Gap {
-    /// Returns |C| of the constraint. For a joint that holds two points together it is the length
-    /// of the gap. \[unit of the row\]
+    /// Returns |C| of the constraint. \[unit of the row\]
+    ///
+    /// For a joint that holds two points together, |C| is the length of the gap.
     pub fn size(&self) -> f64 {
         self.residual.iter().map(|c| c * c).sum::<f64>().sqrt()
     }

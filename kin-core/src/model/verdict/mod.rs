@@ -1,4 +1,6 @@
-//! The diagnosis of a mechanism as data, and its text. `ask/diagnosis/` computes it.
+//! Stores the diagnosis of a mechanism as data and writes its text.
+//!
+//! The module `ask/diagnosis/` computes the diagnosis.
 
 mod advice;
 mod change;

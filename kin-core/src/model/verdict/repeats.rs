@@ -1,4 +1,4 @@
-//! Combines many equations of one constraint that repeat others to one line.
+//! Combines many redundant equations of one constraint to one line.
 
 use std::fmt::{Display, Formatter, Result};
 

@@ -1,4 +1,6 @@
-//! Numbers that can be infinite. JSON has no infinity, so `null` means +∞.
+//! Writes numbers that can be infinite.
+//!
+//! JSON has no infinity, so `null` means +∞.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 

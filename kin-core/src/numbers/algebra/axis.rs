@@ -1,25 +1,27 @@
-//! The axis of a spatial body, with two directions across it.
+//! Defines the axis of a spatial body, with two directions perpendicular to the axis.
 
 use super::{Components, Mix, Mixed, Scalar, Vec3};
 
-/// A direction h in a spatial body with two unit vectors f and g = h × f across it, all in the
+/// A direction h in a spatial body, with two perpendicular unit vectors f and g = h × f, all in the
 /// frame of the body. \[–\]
 ///
-/// Angles about h count from f, by the right-hand rule. The vectors are computed once, when the
-/// axis is made. If a joint chose them by the pose, it would lose rank at some poses. A `Vec3`
-/// becomes an axis with an f that Kin chooses (x for z, y for x, z for y); [`Axis::new`] sets f.
+/// An angle about h is zero at f and positive by the right-hand rule. The constructor computes f
+/// and g once. If a joint computed f and g from the pose, the equations of the joint would lose
+/// rank at some poses. If you pass a `Vec3` as an axis, Kin chooses f (x for z, y for x, z for y);
+/// [`Axis::new`] sets f.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Axis<T = f64> {
     /// The unit vector along the axis.
     pub h: Vec3<T>,
-    /// The unit vector across the axis at the angle 0.
+    /// The unit vector perpendicular to the axis at the angle 0.
     pub f: Vec3<T>,
     /// The unit vector h × f, at the angle 90°.
     pub g: Vec3<T>,
 }
 
 impl Axis {
-    /// Creates the axis along `h`, with the part of `f` perpendicular to it.
+    /// Creates the axis along `h`, with the part of `f` perpendicular to `h` as its reference
+    /// direction.
     ///
     /// If `h` is zero, or `f` is along `h`, the vectors are NaN, and a mechanism returns an error
     /// that names the axis.
@@ -34,8 +36,8 @@ impl Axis {
 
     /// Creates the axis along `h`, with an f that Kin chooses.
     ///
-    /// f is the direction across h that is nearest to an axis of the body frame: the axis that
-    /// follows the largest component of h.
+    /// f is the direction perpendicular to h that is nearest to an axis of the body frame: the axis
+    /// after the one with the largest component of h.
     pub fn along(h: impl Into<Vec3>) -> Self {
         Axis::of_direction(h.into())
     }
@@ -53,14 +55,16 @@ impl Axis {
 }
 
 impl<T: Scalar> Vec3<T> {
-    /// Returns the axis along a constant direction, like [`Axis::along`] for any numbers. Measures
-    /// of joints that know only the direction use it.
+    /// Returns the axis along a constant direction, like [`Axis::along`] for any numbers.
+    ///
+    /// Measures of joints use this method if only the direction is known.
     pub fn axis(self) -> Axis<T> {
         Axis::along(self.plain()).map(|v| v.map(Into::into))
     }
 
-    /// Returns the axis with f as close as possible to another direction. If that direction is
-    /// along the axis, Kin chooses f.
+    /// Returns the axis along this vector with its reference direction as close as possible to `f`.
+    ///
+    /// If `f` is along the axis, Kin chooses the reference direction.
     pub fn axis_near(self, f: Vec3<T>) -> Axis<T> {
         let chosen = Axis::new(self.plain(), f.plain());
         let axis = if chosen.is_sound() { chosen } else { Axis::along(self.plain()) };

@@ -1,4 +1,4 @@
-//! Operations that all vectors and matrices share.
+//! Implements the operations that all vectors and matrices share.
 
 /// Implements `a ∘ b` for two kinds over the same number, and for one over `Real<D>` with one over
 /// `f64`, in both orders.
@@ -86,7 +86,7 @@ macro_rules! componentwise {
         }
 
         impl $kind {
-            /// Returns zero components in `f64`, which mix with `Real<D>`.
+            /// Returns the value with all components zero, in `f64`, which mixes with `Real<D>`.
             #[inline]
             pub const fn zeros() -> Self {
                 $kind { $($c: 0.0),* }

@@ -1,4 +1,4 @@
-//! Euler parameters.
+//! Defines Euler parameters.
 
 use std::iter::Sum;
 use std::ops::{
@@ -36,7 +36,8 @@ impl<T: Scalar> Default for EulerParameters<T> {
 }
 
 impl EulerParameters {
-    /// Returns no rotation, (1, 0, 0, 0), in `f64`, which mixes with `Real<D>`.
+    /// Returns the identity (1, 0, 0, 0), which does not rotate, in `f64`, which mixes with
+    /// `Real<D>`.
     #[inline]
     pub const fn identity() -> Self {
         EulerParameters { e0: 1.0, e1: 0.0, e2: 0.0, e3: 0.0 }
@@ -44,10 +45,11 @@ impl EulerParameters {
 }
 
 impl EulerParameters {
-    /// Returns p of a rotation matrix A, with e0 ≥ 0. It is the inverse of
-    /// [`EulerParameters::rotation`].
+    /// Returns the Euler parameters p of a rotation matrix A, with e0 ≥ 0.
     ///
-    /// For a matrix that is no rotation the result is meaningless.
+    /// This function is the inverse of [`EulerParameters::rotation`].
+    ///
+    /// For a matrix that is not a rotation the result is meaningless.
     pub fn from_rotation(a: Mat3) -> Self {
         let matrix = nalgebra::Matrix3::from(a);
         let turn = nalgebra::UnitQuaternion::from_rotation_matrix(
@@ -72,7 +74,7 @@ impl<T: Scalar> EulerParameters<T> {
         EulerParameters { e0: cos, e1: e.x, e2: e.y, e3: e.z }
     }
 
-    /// Returns e = (e1, e2, e3).
+    /// Returns the vector part e = (e1, e2, e3).
     #[inline]
     pub fn vector(self) -> Vec3<T> {
         Vec3 { x: self.e1, y: self.e2, z: self.e3 }
@@ -84,8 +86,10 @@ impl<T: Scalar> EulerParameters<T> {
         EulerParameters { e0: self.e0, e1: -self.e1, e2: -self.e2, e3: -self.e3 }
     }
 
-    /// Returns A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ, body to global. Other algebraic forms of A have
-    /// different values if |p| ≠ 1.
+    /// Returns the rotation matrix A = (2 e0² − 1) I + 2 e eᵀ + 2 e0 ẽ from the body frame to the
+    /// global frame.
+    ///
+    /// Other algebraic forms of A have different values if |p| ≠ 1.
     pub fn rotation(self) -> Mat3<T> {
         let e0 = self.e0;
         let e = self.vector();
@@ -109,7 +113,8 @@ impl<T: Scalar> EulerParameters<T> {
         }
     }
 
-    /// Returns the quaternion product p q, also written `p * q`: first the rotation q, then p.
+    /// Returns the quaternion product p q, also written `p * q`: the rotation q, followed by the
+    /// rotation p.
     ///
     /// A(p q) = A(p) A(q) if |p| = |q| = 1.
     #[inline]

@@ -1,4 +1,4 @@
-//! 2 × 2 matrices.
+//! Defines 2 × 2 matrices.
 
 use std::iter::Sum;
 use std::ops::{
@@ -15,13 +15,13 @@ use crate::numbers::real::{Dual, Real, assign, by_ref};
 /// A 2 × 2 matrix.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mat2<T = f64> {
-    /// Row 1, column 1.
+    /// The entry in row 1, column 1.
     pub m11: T,
-    /// Row 1, column 2.
+    /// The entry in row 1, column 2.
     pub m12: T,
-    /// Row 2, column 1.
+    /// The entry in row 2, column 1.
     pub m21: T,
-    /// Row 2, column 2.
+    /// The entry in row 2, column 2.
     pub m22: T,
 }
 
@@ -37,26 +37,27 @@ mixed!(Mul::mul, Mat2, Mat2 => Mat2, |a, b| Mat2 {
 });
 
 impl<T: Scalar> Mat2<T> {
-    /// Returns \[cos φ, −sin φ; sin φ, cos φ\], the rotation by φ counter-clockwise. \[rad\]
+    /// Returns the rotation matrix \[cos φ, −sin φ; sin φ, cos φ\] of a counter-clockwise rotation
+    /// by φ. \[rad\]
     #[inline]
     pub fn rotation(angle: T) -> Self {
         let (sin, cos) = angle.sin_cos();
         Mat2 { m11: cos, m12: -sin, m21: sin, m22: cos }
     }
 
-    /// Returns Aᵀ.
+    /// Returns the transpose Aᵀ.
     #[inline]
     pub fn transpose(self) -> Self {
         Mat2 { m12: self.m21, m21: self.m12, ..self }
     }
 
-    /// Returns det A.
+    /// Returns the determinant det A.
     #[inline]
     pub fn determinant(self) -> T {
         self.m11 * self.m22 - self.m21 * self.m12
     }
 
-    /// Returns tr A.
+    /// Returns the trace tr A.
     #[inline]
     pub fn trace(self) -> T {
         self.m11 + self.m22

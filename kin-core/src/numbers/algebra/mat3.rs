@@ -1,4 +1,4 @@
-//! 3 × 3 matrices.
+//! Defines 3 × 3 matrices.
 
 use std::iter::Sum;
 use std::ops::{
@@ -15,23 +15,23 @@ use crate::numbers::real::{Dual, Real, assign, by_ref};
 /// A 3 × 3 matrix.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mat3<T = f64> {
-    /// Row 1, column 1.
+    /// The entry in row 1, column 1.
     pub m11: T,
-    /// Row 1, column 2.
+    /// The entry in row 1, column 2.
     pub m12: T,
-    /// Row 1, column 3.
+    /// The entry in row 1, column 3.
     pub m13: T,
-    /// Row 2, column 1.
+    /// The entry in row 2, column 1.
     pub m21: T,
-    /// Row 2, column 2.
+    /// The entry in row 2, column 2.
     pub m22: T,
-    /// Row 2, column 3.
+    /// The entry in row 2, column 3.
     pub m23: T,
-    /// Row 3, column 1.
+    /// The entry in row 3, column 1.
     pub m31: T,
-    /// Row 3, column 2.
+    /// The entry in row 3, column 2.
     pub m32: T,
-    /// Row 3, column 3.
+    /// The entry in row 3, column 3.
     pub m33: T,
 }
 
@@ -60,7 +60,7 @@ impl Mat3 {
 }
 
 impl<T: Scalar> Mat3<T> {
-    /// Returns Aᵀ.
+    /// Returns the transpose Aᵀ.
     #[inline]
     pub fn transpose(self) -> Self {
         Mat3::new(
@@ -69,13 +69,13 @@ impl<T: Scalar> Mat3<T> {
         )
     }
 
-    /// Returns det A.
+    /// Returns the determinant det A.
     #[inline]
     pub fn determinant(self) -> T {
         self.row(0).dot(self.row(1).cross(self.row(2)))
     }
 
-    /// Returns tr A.
+    /// Returns the trace tr A.
     #[inline]
     pub fn trace(self) -> T {
         self.m11 + self.m22 + self.m33

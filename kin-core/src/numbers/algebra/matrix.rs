@@ -1,4 +1,4 @@
-//! Operations that all square matrices share.
+//! Implements the operations that all square matrices share.
 
 /// Implements the index (row, column), counted from 0, and conversions of square matrices, from
 /// rows of components.
@@ -85,13 +85,13 @@ macro_rules! matrix {
         }
 
         impl<T: Scalar> $kind<T> {
-            /// Returns row `i`, counted from 0. Panics beyond the last.
+            /// Returns row `i`, counted from 0. Panics if `i` is beyond the last row.
             #[inline]
             pub fn row(self, i: usize) -> $vector<T> {
                 $vector::from(self.to_array()[i])
             }
 
-            /// Returns column `j`, counted from 0. Panics beyond the last.
+            /// Returns column `j`, counted from 0. Panics if `j` is beyond the last column.
             #[inline]
             pub fn column(self, j: usize) -> $vector<T> {
                 $vector::from(self.to_array().map(|row| row[j]))

@@ -1,8 +1,9 @@
-//! Small vectors and matrices over `f64` or [`Real<D>`](crate::numbers::real::Real). Their names
-//! are those of nalgebra.
+//! Defines small vectors and matrices over `f64` or [`Real<D>`](crate::numbers::real::Real), with
+//! the method names of nalgebra.
 //!
-//! Operands are values or references, and `f64` mixes with `Real<D>` everywhere: a constant vector
-//! times a moving one, a literal on either side. `From` and `Into` convert to nalgebra and back.
+//! Operands are values or references. `f64` mixes with `Real<D>` in all operations, such as a
+//! constant vector times a vector of `Real<D>`, or a literal on either side. `From` and `Into`
+//! convert to nalgebra and back.
 
 mod axis;
 mod componentwise;
@@ -24,8 +25,10 @@ pub use scalar::{Mix, Mixed, Scalar};
 pub use vec2::{Vec2, vec2};
 pub use vec3::{Vec3, vec3};
 
-/// N components of one type: a vector of Kin by value or by reference, a vector of nalgebra, an
-/// array, a tuple. Joints and the methods of vectors accept them.
+/// A value with N components of one type: a vector of Kin by value or by reference, a vector of
+/// nalgebra, an array, or a tuple.
+///
+/// Joints and the methods of vectors accept such values.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a vector of {N} components",
     label = "expected {N} components",

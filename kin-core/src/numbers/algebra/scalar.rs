@@ -1,4 +1,4 @@
-//! The number types of vectors.
+//! Defines the number types of vectors.
 
 use std::fmt;
 use std::iter::Sum;
@@ -8,7 +8,7 @@ use crate::numbers::real::{Dual, Real};
 
 /// A number: `f64`, or `Real<D>` for every [`Dual`] D.
 ///
-/// It works with itself and with `f64`. The trait is sealed.
+/// A number mixes with numbers of the same type and with `f64`. The trait is sealed.
 pub trait Scalar:
     sealed::Sealed
     + Mix<Self, Mixed = Self>
@@ -52,8 +52,10 @@ pub trait Scalar:
     fn length<const N: usize>(components: [Self; N]) -> Self;
 }
 
-/// A number type that works with numbers `U`: each type with itself, and `f64` with `Real<D>`. The
-/// result is [`Mixed<Self, U>`](Mixed).
+/// A number type that mixes with numbers of type `U`: each type with itself, and `f64` with
+/// `Real<D>`.
+///
+/// The result has the type [`Mixed<Self, U>`](Mixed).
 #[diagnostic::on_unimplemented(
     message = "a number cannot be both `{Self}` and `{U}`",
     note = "use `f64` or `Real<D>` for numbers; write `1.0`, not `1`"
@@ -69,7 +71,7 @@ pub trait Mix<U>:
     type Mixed: Scalar + From<Self> + From<U>;
 }
 
-/// The common type of `T` and `U`: `Real<D>` if one of them is `Real<D>`, otherwise `f64`.
+/// The common type of `T` and `U`: `Real<D>` if one type is `Real<D>`, otherwise `f64`.
 pub type Mixed<T, U> = <T as Mix<U>>::Mixed;
 
 impl Mix<f64> for f64 {

@@ -1,4 +1,4 @@
-//! Vectors in the plane.
+//! Defines vectors in the plane.
 
 use std::iter::Sum;
 use std::ops::{
@@ -12,7 +12,7 @@ use super::vector::{sum, vector};
 use super::{Components, Mix, Mixed, Scalar};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// A vector or a point in the plane. Its unit is that of its components.
+/// A vector or a point in the plane. The unit is the unit of the components.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec2<T = f64> {
     /// The component along the x-axis.
@@ -21,8 +21,9 @@ pub struct Vec2<T = f64> {
     pub y: T,
 }
 
-/// Creates the vector (x, y) from `f64` and `Real<D>` in any mixture: `vec2(x, 0.0)`. In a `const`
-/// write `Vec2::new`.
+/// Creates the vector (x, y) from `f64` and `Real<D>` in any mixture: `vec2(x, 0.0)`.
+///
+/// In a `const` write `Vec2::new`.
 #[inline]
 pub fn vec2<A: Mix<B>, B>(x: A, y: B) -> Vec2<Mixed<A, B>> {
     Vec2 { x: x.into(), y: y.into() }
@@ -51,8 +52,9 @@ impl<T: Scalar> Vec2<T> {
         Vec2 { x: -self.y, y: self.x }
     }
 
-    /// Returns a × b = aₓ b_y − a_y bₓ, the z-component of the cross product. It is positive if b
-    /// is counter-clockwise of a.
+    /// Returns a × b = aₓ b_y − a_y bₓ, the z-component of the cross product.
+    ///
+    /// The result is positive if b is counter-clockwise of a.
     #[inline]
     pub fn cross<V: Components<2>>(self, other: V) -> Mixed<T, V::Scalar>
     where

@@ -1,4 +1,4 @@
-//! Vectors in space.
+//! Defines vectors in space.
 
 use std::iter::Sum;
 use std::ops::{
@@ -12,7 +12,7 @@ use super::vector::{sum, vector};
 use super::{Components, Mix, Mixed, Scalar};
 use crate::numbers::real::{Dual, Real, assign, by_ref};
 
-/// A vector or a point in space. Its unit is that of its components.
+/// A vector or a point in space. The unit is the unit of the components.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Vec3<T = f64> {
     /// The component along the x-axis.
@@ -23,8 +23,9 @@ pub struct Vec3<T = f64> {
     pub z: T,
 }
 
-/// Creates the vector (x, y, z) from `f64` and `Real<D>` in any mixture: `vec3(x, 0.0, 1.0)`. In a
-/// `const` write `Vec3::new`.
+/// Creates the vector (x, y, z) from `f64` and `Real<D>` in any mixture: `vec3(x, 0.0, 1.0)`.
+///
+/// In a `const` write `Vec3::new`.
 #[inline]
 pub fn vec3<A, B, C>(x: A, y: B, z: C) -> Vec3<Mixed<Mixed<A, B>, C>>
 where

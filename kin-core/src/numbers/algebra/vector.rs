@@ -1,4 +1,4 @@
-//! Operations that all vectors share.
+//! Implements the operations that all vectors share.
 
 /// Adds terms from first to last.
 macro_rules! sum {
@@ -101,7 +101,7 @@ macro_rules! vector {
         }
 
         impl<T: Scalar> $kind<T> {
-            /// Returns a · b = Σ aₖ bₖ.
+            /// Returns the dot product a · b = Σ aₖ bₖ.
             #[inline]
             pub fn dot<V: Components<$n>>(self, other: V) -> Mixed<T, V::Scalar>
             where
@@ -111,25 +111,27 @@ macro_rules! vector {
                 sum!($(self.$c * $c),*)
             }
 
-            /// Returns |a|² = Σ aₖ².
+            /// Returns the squared length |a|² = Σ aₖ².
             #[inline]
             pub fn norm_squared(self) -> T {
                 sum!($(self.$c * self.$c),*)
             }
 
-            /// Returns |a| = √(Σ aₖ²). Its derivative at zero is NaN, or 0 if a is constant.
+            /// Returns the length |a| = √(Σ aₖ²).
+            ///
+            /// At a = 0 the derivative of the length is NaN, or 0 if a is constant.
             #[inline]
             pub fn norm(self) -> T {
                 T::length(self.to_array())
             }
 
-            /// Returns a/|a|, or NaN for a zero vector.
+            /// Returns the unit vector a/|a|, or NaN for a zero vector.
             #[inline]
             pub fn normalize(self) -> Self {
                 self / self.norm()
             }
 
-            /// Returns the products aₖ bₖ.
+            /// Returns the vector of the products aₖ bₖ.
             #[inline]
             pub fn component_mul<V: Components<$n>>(self, other: V) -> $kind<Mixed<T, V::Scalar>>
             where
@@ -139,7 +141,7 @@ macro_rules! vector {
                 $kind { $($c: self.$c * $c),* }
             }
 
-            /// Returns the quotients aₖ/bₖ.
+            /// Returns the vector of the quotients aₖ/bₖ.
             #[inline]
             pub fn component_div<V: Components<$n>>(self, other: V) -> $kind<Mixed<T, V::Scalar>>
             where
@@ -149,7 +151,7 @@ macro_rules! vector {
                 $kind { $($c: self.$c / $c),* }
             }
 
-            /// Returns (1 − t) a + t b.
+            /// Returns the linear interpolation (1 − t) a + t b.
             #[inline]
             pub fn lerp<V, S>(self, other: V, t: S) -> $kind<Mixed<Mixed<T, S>, Mixed<V::Scalar, S>>>
             where

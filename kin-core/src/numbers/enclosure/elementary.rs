@@ -1,5 +1,6 @@
-//! Functions over an interval. If a function has no value for some of the numbers, the result is
-//! [`ALL`].
+//! Evaluates functions over an interval.
+//!
+//! If a function has no value for some numbers of the interval, the result is [`ALL`].
 
 use kin_graph::Function;
 use kin_graph::functions::{ALLOWED, Place};

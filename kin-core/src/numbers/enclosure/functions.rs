@@ -1,6 +1,8 @@
-//! The functions of an equation's steps on series, from the differential equation of each: y′ =
-//! f′(x) x′ (Moore, ch. 11). Most functions follow from their rules in the list. Functions whose
-//! rules refer to one another, or whose rules take several times as long, are written by hand.
+//! Evaluates functions on series, from the differential equation y′ = f′(x) x′ of each function
+//! (Moore, ch. 11).
+//!
+//! Kin derives most functions from their rules in the list. Functions whose rules refer to one
+//! another, or whose rules take several times as long, have hand-written code.
 
 use kin_graph::{Function, Function2, Number, rules};
 

@@ -1,8 +1,8 @@
-//! Interval arithmetic with outward rounding: the result of an operation contains the exact result
-//! for all real numbers in the operands.
+//! Implements interval arithmetic with outward rounding: the result of an operation contains the
+//! exact result for all real numbers in the operands.
 //!
 //! The five operations of IEEE 754 (+, −, ×, /, √) round to the nearest number, so the number next
-//! to the result lies beyond the exact one. For the other functions of the platform
+//! to the result is beyond the exact result. For the other functions of the platform
 //! (`elementary.rs`), Kin relies on the error in units of the last place that the list of functions
 //! gives.
 

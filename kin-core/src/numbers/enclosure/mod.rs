@@ -1,5 +1,5 @@
-//! Bounds that hold: intervals rounded outwards, and Taylor series of intervals, for every function
-//! of the list.
+//! Computes rigorous bounds by intervals that are rounded outwards, and by Taylor series of
+//! intervals, for every function of the list.
 
 pub(crate) mod elementary;
 mod functions;

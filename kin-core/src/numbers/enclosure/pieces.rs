@@ -1,9 +1,10 @@
-//! Piecewise functions with interval bounds.
+//! Computes interval bounds of piecewise functions.
 //!
-//! The code compares the bounds of two adjacent pieces of a law to find out if the pieces meet: the
-//! bounds must touch at the seam and must be narrow there. Rounded numbers (the position and the
-//! value at which a piece begins) count as the exact ones. The code sees a jump larger than
-//! rounding; if the bounds are too wide to exclude a jump, the result is unknown.
+//! To test that two adjacent pieces of a law meet, the code compares the bounds of both pieces. The
+//! bounds must touch at the seam and must be narrow at the seam. The code treats rounded numbers,
+//! such as the position and the value at which a piece begins, as exact. The code detects a jump
+//! that is larger than rounding. If the bounds are too wide to exclude a jump, the result is
+//! unknown.
 
 use super::interval::{Interval, ONE};
 use super::series::{ORDER, Series, Turns, UNKNOWN};

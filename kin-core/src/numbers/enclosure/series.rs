@@ -1,11 +1,12 @@
-//! Truncated Taylor series with intervals as coefficients: a function of σ, −1 ≤ σ ≤ 1, as c0 + c1
-//! σ + c2 σ² + ….
+//! Implements truncated Taylor series with intervals as coefficients: a function of σ, −1 ≤ σ ≤ 1,
+//! as c0 + c1 σ + c2 σ² + ….
 //!
-//! At one point, a computation gives the coefficients of its result there. Over an interval of its
-//! inputs, c_k holds f⁽ᵏ⁾/k! at every point of the interval, which is the remainder of Taylor's
-//! formula (Moore, *Interval Analysis*, ch. 11). The number `len` says how many coefficients have a
-//! meaning: over a kink only c0 and c1 have one, over a jump none has. Coefficient `len − 1` may
-//! jump if those before it are continuous: Taylor's formula demands no more.
+//! A computation at one point gives the coefficients of its result at this point. A computation
+//! over an interval of its inputs gives bounds c_k of f⁽ᵏ⁾/k! at every point of the interval, which
+//! is the remainder of Taylor's formula (Moore, *Interval Analysis*, ch. 11). The number `len` says
+//! how many coefficients have a meaning: over a kink only c0 and c1 have a meaning, over a jump no
+//! coefficient has. Coefficient `len − 1` may jump if the coefficients before it are continuous,
+//! because Taylor's formula demands no more.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -15,11 +16,12 @@ use super::interval::{ALL, Interval, ONE, ZERO};
 pub(crate) const ORDER: usize = 6;
 const FULL: usize = ORDER + 1;
 
-/// Bounds of the values and the derivatives of a function of σ, −1 ≤ σ ≤ 1, as
-/// [`crate::model::law::LawFunction::over`] takes and returns them.
+/// Bounds of the values and the derivatives of a function of σ, −1 ≤ σ ≤ 1.
+/// [`crate::model::law::LawFunction::over`] receives and returns such bounds.
 ///
-/// The type has the operators of a number (`+`, `−`, `·`, `/`) and functions under the names of
-/// f64. All results hold for every value of the operands between their bounds, rounding included.
+/// The type has the operators of a number (`+`, `−`, `·`, `/`) and the functions of `f64`. The
+/// results are valid for every value of the operands between their bounds, including rounding
+/// errors.
 #[derive(Clone, Copy, Debug)]
 pub struct Series {
     c: [Interval; FULL],
@@ -70,12 +72,12 @@ pub(crate) const UNKNOWN: Series =
     Series { c: [ALL; FULL], len: 0, degree: ORDER, turns: Turns::NONE };
 
 impl Series {
-    /// Makes a constant number.
+    /// Creates a constant number.
     pub fn number(x: f64) -> Self {
         Series::constant(Interval::from(x))
     }
 
-    /// Returns the least and the largest value; they are infinite where the values are unknown.
+    /// Returns the smallest and the largest value; both are infinite if the values are unknown.
     pub fn values(&self) -> [f64; 2] {
         if self.is_open() {
             [f64::NEG_INFINITY, f64::INFINITY]
@@ -84,12 +86,12 @@ impl Series {
         }
     }
 
-    /// Returns f of the series, from bounds \[least, largest\] of f, f′, f″, … (up to the sixth)
-    /// over all of [`Series::values`].
+    /// Returns f of the series, from bounds \[smallest, largest\] of f, f′, f″, … (up to the sixth
+    /// derivative) over the range [`Series::values`].
     ///
-    /// All but the last of these derivatives must be continuous there. A law with a break between
-    /// these values gives only the bounds up to the derivative that jumps, and none if the law
-    /// itself jumps.
+    /// All derivatives in the list except the last must be continuous over this range. If the law
+    /// has a break in the range, give only the bounds up to the derivative that jumps. If the law
+    /// itself jumps, give no bounds.
     #[must_use]
     pub fn chain(&self, f: &[[f64; 2]]) -> Self {
         if self.is_open() {

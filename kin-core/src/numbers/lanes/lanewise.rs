@@ -1,5 +1,5 @@
-//! Numbers of one case and of several side by side: a rule that is written over these is written
-//! once.
+//! Defines an interface for single numbers and for lanes of numbers, so that a rule for both is
+//! written once.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 

@@ -1,14 +1,14 @@
-//! The kinds of machine that numbers over lanes are compiled for.
+//! Defines the instruction sets for which numbers over lanes are compiled.
 
 use pulp::Simd;
 
-/// A kind of machine; a value of the type exists only where the machine is of that kind.
+/// An instruction set; a value of the type exists only on a machine with this instruction set.
 pub trait Level: Simd {
     /// Has the alignment of a register: numbers over lanes that lie across two cache lines cost
     /// twice.
     type Align: Copy + Send + Sync + 'static;
 
-    /// The transpose of a square of numbers, without leaving registers where the machine can.
+    /// Returns the transpose of a 4 × 4 matrix, in registers if the machine supports it.
     #[inline(always)]
     fn turn(self, square: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
         let [a, b, c, d] = square;

@@ -1,8 +1,7 @@
-//! Numbers over lanes, with f64's names: what tapes compute with.
+//! Implements the numbers over lanes with which tapes compute, under the method names of f64.
 //!
-//! A number is two registers: what is found out once for all lanes (which step comes next, where
-//! its numbers stand, which function is called) then serves twice as many times, and two chains of
-//! operations run side by side.
+//! A number consists of two registers. So the interpreter decodes a step once for twice as many
+//! times, and two chains of operations run in parallel.
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
@@ -71,52 +70,52 @@ impl<S: Level> Wide<S> {
         Wide(simd, numbers, [])
     }
 
-    /// The same number in every lane.
+    /// Creates a number with the same value in every lane.
     #[inline(always)]
     pub fn splat(simd: S, x: f64) -> Self {
         Wide::new(simd, [simd.splat_f64s(x); 2])
     }
 
-    /// Another number, the same in every lane.
+    /// Returns a number with the value x in every lane.
     #[inline(always)]
     pub fn all(self, x: f64) -> Self {
         Wide::splat(self.0, x)
     }
 
-    /// How many lanes there are.
+    /// The number of lanes.
     pub const LANES: usize = 2 * S::F64_LANES;
 
-    /// The numbers, lane by lane.
+    /// Returns the numbers, lane by lane.
     #[inline(always)]
     pub fn as_slice(&self) -> &[f64] {
         bytemuck::cast_slice(&self.1)
     }
 
-    /// The numbers, lane by lane, to be written.
+    /// Returns the numbers, lane by lane, for writing.
     #[inline(always)]
     pub fn as_mut_slice(&mut self) -> &mut [f64] {
         bytemuck::cast_slice_mut(&mut self.1)
     }
 
-    /// a b + c, rounded once.
+    /// Returns a b + c, rounded once.
     #[inline(always)]
     pub fn mul_add(self, b: Self, c: Self) -> Self {
         Wide::new(self.0, both!(self.0, mul_add_e_f64s, self.1, b.1, c.1))
     }
 
-    /// c − a b, rounded once.
+    /// Returns c − a b, rounded once.
     #[inline(always)]
     pub fn negative_mul_add(self, b: Self, c: Self) -> Self {
         Wide::new(self.0, both!(self.0, negate_mul_add_e_f64s, self.1, b.1, c.1))
     }
 
-    /// √x
+    /// Returns √x.
     #[inline(always)]
     pub fn sqrt(self) -> Self {
         Wide::new(self.0, both!(self.0, sqrt_f64s, self.1))
     }
 
-    /// |x|
+    /// |x|Returns |x|.
     #[inline(always)]
     pub fn abs(self) -> Self {
         Wide::new(self.0, both!(self.0, abs_f64s, self.1))
@@ -128,19 +127,19 @@ impl<S: Level> Wide<S> {
         Wide::new(self.0, both!(self.0, max_f64s, self.1, other.1))
     }
 
-    /// The larger one; the other one of a NaN.
+    /// Returns the larger number; if one is NaN, returns the other.
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         self.ge(other).select(self, other.equal(other).select(other, self))
     }
 
-    /// The smaller one; the other one of a NaN.
+    /// Returns the smaller number; if one is NaN, returns the other.
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         self.le(other).select(self, other.equal(other).select(other, self))
     }
 
-    /// xⁿ
+    /// Returns xⁿ.
     #[inline(always)]
     pub fn powi(self, n: i32) -> Self {
         let mut left = n.unsigned_abs();
@@ -158,7 +157,7 @@ impl<S: Level> Wide<S> {
         if n < 0 { Wide::splat(self.0, 1.0) / power } else { power }
     }
 
-    /// A function of one number, lane by lane.
+    /// Applies a function of one number, lane by lane.
     #[inline(always)]
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         let mut result = self;
@@ -166,7 +165,7 @@ impl<S: Level> Wide<S> {
         result
     }
 
-    /// A function of two numbers, lane by lane.
+    /// Applies a function of two numbers, lane by lane.
     #[inline(always)]
     pub fn map2(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut result = self;
@@ -174,7 +173,7 @@ impl<S: Level> Wide<S> {
         result
     }
 
-    /// The condition that is kept as 1 or 0.
+    /// Returns the condition that this number stores as 1 or 0.
     #[inline(always)]
     pub fn is_true(self) -> Mask<S> {
         self.differ(Wide::splat(self.0, 0.0))
@@ -192,7 +191,7 @@ macro_rules! comparison {
                 }
             )*
 
-            /// True if the numbers differ; a NaN differs from everything.
+            /// Returns true if the numbers differ; a NaN differs from every number.
             #[inline(always)]
             pub fn differ(self, other: Self) -> Mask<S> {
                 !self.equal(other)
@@ -210,35 +209,35 @@ comparison! {
     gt greater_than_f64s;
     /// ≥
     ge greater_than_or_equal_f64s;
-    /// True if the numbers are equal.
+    /// Returns true if the numbers are equal.
     equal equal_f64s;
 }
 
 impl<S: Level> Mask<S> {
-    /// The same in every lane.
+    /// Creates a condition with the same value in every lane.
     #[inline(always)]
     pub fn splat(simd: S, condition: bool) -> Self {
         Wide::splat(simd, f64::from(u8::from(condition))).is_true()
     }
 
-    /// `a` where it is true, else `b`.
+    /// Returns `a` in lanes in which the condition is true, otherwise `b`.
     #[inline(always)]
     pub fn select(self, a: Wide<S>, b: Wide<S>) -> Wide<S> {
         Wide::new(self.0, both!(self.0, select_f64s, self.1, a.1, b.1))
     }
 
-    /// True if it is true in some lane.
+    /// Returns true if the condition is true in at least one lane.
     #[inline(always)]
     pub fn any(self) -> bool {
         self.0.first_true_m64s(self.0.or_m64s(self.1[0], self.1[1])) < S::F64_LANES
     }
 
-    /// True if it is true in a lane.
+    /// Returns the condition of one lane.
     pub fn lane(self, lane: usize) -> bool {
         self.as_numbers().as_slice().get(lane).is_some_and(|x| *x != 0.0)
     }
 
-    /// 1 where it is true, else 0.
+    /// Returns 1 in lanes in which the condition is true, otherwise 0.
     #[inline(always)]
     pub fn as_numbers(self) -> Wide<S> {
         self.select(Wide::splat(self.0, 1.0), Wide::splat(self.0, 0.0))

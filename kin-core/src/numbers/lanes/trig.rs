@@ -1,9 +1,9 @@
-//! Sine and cosine over lanes.
+//! Computes sine and cosine over lanes.
 //!
-//! x is taken to [−π/4, π/4] by three parts of π/2, 53 bits each, with fused multiply-adds (Cody
-//! and Waite); there the polynomials of fdlibm's `__kernel_sin` and `__kernel_cos`. Off by at most
-//! 2 units in the last place up to |x| = 1e8; beyond, for what is not finite, and on machines that
-//! cannot fuse, f64's own functions are called lane by lane.
+//! Kin reduces x to [−π/4, π/4] with π/2 in three parts of 53 bits and fused multiply-adds (Cody
+//! and Waite). Then Kin evaluates the polynomials of fdlibm's `__kernel_sin` and `__kernel_cos`.
+//! The error is at most 2 units in the last place for |x| ≤ 1e8. For larger or non-finite x, and on
+//! machines without fused multiply-add, Kin calls the functions of f64 lane by lane.
 
 use super::Level;
 use super::number::{Mask, Wide, both};
@@ -37,7 +37,7 @@ const COS: [f64; 6] = [
 ];
 
 impl<S: Level> Wide<S> {
-    /// (sin x, cos x)
+    /// Returns (sin x, cos x).
     #[inline(always)]
     pub fn sin_cos(self) -> (Self, Self) {
         let simd = self.0;

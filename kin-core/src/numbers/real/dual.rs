@@ -1,5 +1,5 @@
-//! The operations of the number in a [`Real`](super::Real): arithmetic, composition and division
-//! that are right at the edges.
+//! Implements the operations of the number in a [`Real`](super::Real), with correct results at
+//! singular arguments.
 
 use std::fmt::{Debug, Display};
 use std::ops::{Add, Mul, Neg, Sub};
@@ -73,20 +73,21 @@ pub trait Dual:
     fn growing(self, growth: Growth) -> Self;
 }
 
-/// The growth of the values of a function.
+/// Describes how the values of a function grow.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Growth {
     /// The values are small and finite for every argument.
     Bounded,
-    /// The values grow like an exponential or a power: a value may overflow where a function of it
-    /// does not.
+    /// The values grow like an exponential or a power, so a value may overflow although a function
+    /// of the value is finite.
     Bursting,
-    /// The function makes large arguments small, and has poles.
+    /// The function maps large arguments to small values, and has poles.
     Logarithmic,
     /// The function is infinite at a pole.
     Pole,
-    /// The values grow like a power with a negative exponent: they burst, and have poles.
+    /// The values grow like a power with a negative exponent: they may overflow, and the function
+    /// has poles.
     BurstingPole,
 }
 

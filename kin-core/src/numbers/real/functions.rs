@@ -1,5 +1,7 @@
-//! The functions of one variable in the list. The slopes of most functions are written by hand; the
-//! others follow from the rules of the list.
+//! Implements the functions of one variable in the list.
+//!
+//! The derivatives of most functions are hand-written; Kin derives the others from the rules of the
+//! list.
 
 use std::cmp::Ordering;
 use std::f64::consts::{LN_2, LN_10};
@@ -159,7 +161,7 @@ impl<D: Dual> Real<D> {
         self.chain([self.value().to_degrees(), 1f64.to_degrees(), 0.0, 0.0])
     }
 
-    /// Rounds to the nearest whole number, and a half to the even one; the slope is 0.
+    /// Rounds to the nearest whole number, and a half to the even neighbour. The slope is 0.
     #[inline]
     pub fn round_ties_even(self) -> Self {
         Real(self.0.still()).with_value(self.value().round_ties_even())
@@ -172,13 +174,13 @@ impl<D: Dual> Real<D> {
         self.value().total_cmp(&other.value())
     }
 
-    /// Returns the category of the real part: normal, zero, infinite and so on.
+    /// Returns the category of the real part, such as normal, zero or infinite.
     #[inline]
     pub fn classify(self) -> FpCategory {
         self.value().classify()
     }
 
-    /// Returns (sin x, cos x), x in rad.
+    /// Returns (sin x, cos x), with x in rad.
     #[inline]
     pub fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.value().sin_cos();
@@ -194,7 +196,9 @@ impl<D: Dual> Real<D> {
         (Self::constant(1.0) / self).with_value(self.value().recip())
     }
 
-    /// Returns xⁿ. x⁰ is 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
+    /// Returns xⁿ.
+    ///
+    /// x⁰ is 1 everywhere, x¹ has slope 1 at 0, and a negative power is infinite at 0.
     #[inline]
     pub fn powi(self, n: i32) -> Self {
         let x = self.value();

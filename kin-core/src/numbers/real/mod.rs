@@ -1,23 +1,23 @@
-//! Numbers that carry derivatives: [`Real<D>`] wraps the scalars of num-dual and marks the
-//! directions that move them.
+//! Defines numbers that carry derivatives: [`Real<D>`] wraps the scalars of num-dual and marks the
+//! directions along which a number changes.
 //!
-//! `Real<D>` reads like an `f64`: it has the same operators with `f64` on either side, the same
-//! function names, and comparisons of real parts. The real part is, bit for bit, the value that the
-//! same expression gives in `f64`. The derivatives are right at the edges, where num-dual 0.15
-//! gives NaN; no function panics. The rules:
+//! `Real<D>` has the operators of `f64` (with `f64` on either side), the function names of `f64`,
+//! and comparisons of real parts. The real part is, bit for bit, the value of the same expression
+//! in `f64`. Derivatives are correct at arguments at which num-dual 0.15 gives NaN. No function
+//! panics.
 //!
-//! * A number knows whether it moves. A number that does not move (a constant, or the constant side
-//!   of `max`, `min`, `clamp`, `if`) has tangents that are zero by structure, and it stays
-//!   constant, whatever derivative a function has there: √0 of a constant is a constant 0. A number
-//!   whose tangent happens to be zero still moves: x² + y² at x = y = 0 moves, and its square root
-//!   has no slope there. The symbolic route keeps to the same rule (`kin_graph::differentiate`),
-//!   and so does the search for the cause of a singular term.
+//! The rules for derivatives:
+//! * A number knows if it is constant. A constant (also the constant side of `max`, `min`, `clamp`,
+//!   `if`) has zero derivatives and remains constant in every function: √0 of a constant is a
+//!   constant 0. A number whose derivative is zero at one point is not constant: x² + y² varies at
+//!   x = y = 0, and its square root has no slope at this point. The symbolic route follows the same
+//!   rule (`kin_graph::differentiate`), and so does the search for the cause of a singular term.
 //! * At a true singularity (√ of a variable at 0) derivatives are infinite or NaN.
-//! * An exponential or a power that has overflowed counts as a constant for a function that is
-//!   finite there: 1/(1 + eˣ) is 0 for large x, and its slope is 0. The rule does not hold at a
-//!   pole: arctan(1/x) jumps at 0.
-//! * At a kink the documented side applies: `abs` takes the side x ≥ 0, `max` and `min` the side of
-//!   `self`.
+//! * If an exponential or a power has overflowed, Kin treats it as a constant in a function that is
+//!   finite at infinity: 1/(1 + eˣ) is 0 for large x, and its slope is 0. A pole is an exception:
+//!   arctan(1/x) jumps at 0.
+//! * At a kink the derivative is that of the documented side.
+//!   The function `abs` uses the side x ≥ 0; `max` and `min` use the side of `self`.
 
 mod dual;
 mod functions;

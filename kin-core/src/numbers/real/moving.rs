@@ -1,13 +1,14 @@
-//! Scalars of num-dual with marks: the directions that move a number, and the growth of its values.
+//! Adds two marks to the scalars of num-dual: the directions along which a number changes, and the
+//! growth of its values.
 
 use std::fmt::{self, Display};
 use std::ops::{Add, Deref, Mul, Neg, Sub};
 
 use super::dual::{Dual, Growth, sealed};
 
-/// A number of num-dual that knows which of its directions move it.
+/// A number of num-dual that knows along which directions it changes.
 ///
-/// [`Real`](super::Real) explains the rule.
+/// [`Real`](super::Real) explains the rule for constant numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Moving<T> {
     number: T,
@@ -106,7 +107,7 @@ macro_rules! dual {
         quotient |$a:ident, $b:ident, $q:ident| $quotient:expr
     ) => {
         impl Moving<num_dual::$number> {
-            /// Makes a number that does not move.
+            /// Creates a constant number.
             #[inline]
             pub fn from_re(re: f64) -> Self {
                 Moving { number: num_dual::$number::from_re(re), marks: 0 }
@@ -256,8 +257,8 @@ dual! { HyperDual64 [eps1, eps2, eps1eps2] at rest |x| x.eps1 == 0.0 && x.eps2 =
 }
 
 impl Dual64 {
-    /// Makes a number that moves along the one direction with the rate `eps`; the number moves even
-    /// where `eps` is 0.
+    /// Creates a number that changes along the direction with the slope `eps`. The number is not
+    /// constant, even if `eps` is 0.
     #[inline]
     pub fn new(re: f64, eps: f64) -> Self {
         Moving { number: num_dual::Dual64::new(re, eps), marks: 1 }
@@ -265,14 +266,14 @@ impl Dual64 {
 }
 
 impl Dual2_64 {
-    /// Makes a number that moves along the one direction, from its value and its first two
+    /// Creates a number that changes along the direction, from its value and its first two
     /// derivatives.
     #[inline]
     pub fn new(re: f64, v1: f64, v2: f64) -> Self {
         Moving { number: num_dual::Dual2_64::new(re, v1, v2), marks: 1 }
     }
 
-    /// Makes a number as [`Dual2_64::new`] does if `moves` is true, and else the constant `re`.
+    /// Creates a number as [`Dual2_64::new`] does if `moves` is true, otherwise the constant `re`.
     #[inline]
     pub fn moving_where(moves: bool, re: f64, v1: f64, v2: f64) -> Self {
         if moves { Self::new(re, v1, v2) } else { Self::from_re(re) }
@@ -280,7 +281,7 @@ impl Dual2_64 {
 }
 
 impl Dual3_64 {
-    /// Makes a number that moves along the one direction, from its value and its first three
+    /// Creates a number that changes along the direction, from its value and its first three
     /// derivatives.
     #[inline]
     pub fn new(re: f64, v1: f64, v2: f64, v3: f64) -> Self {
@@ -289,18 +290,18 @@ impl Dual3_64 {
 }
 
 impl HyperDual64 {
-    /// Makes a number that both directions move, from its value, its two slopes and the mixed
-    /// second derivative.
+    /// Creates a number that changes along both directions, from its value, its two slopes and the
+    /// mixed second derivative.
     pub fn new(re: f64, eps1: f64, eps2: f64, eps1eps2: f64) -> Self {
         Moving { number: num_dual::HyperDual64::new(re, eps1, eps2, eps1eps2), marks: 3 }
     }
 
-    /// Makes a number that only the first direction moves, with the slope `rate`.
+    /// Creates a number that changes only along the first direction, with the slope `rate`.
     pub fn along_first(re: f64, rate: f64) -> Self {
         Moving { number: num_dual::HyperDual64::new(re, rate, 0.0, 0.0), marks: 1 }
     }
 
-    /// Makes a number that only the second direction moves, with the slope `rate`.
+    /// Creates a number that changes only along the second direction, with the slope `rate`.
     pub fn along_second(re: f64, rate: f64) -> Self {
         Moving { number: num_dual::HyperDual64::new(re, 0.0, rate, 0.0), marks: 2 }
     }

@@ -1,4 +1,4 @@
-//! Operators of [`Real`] with itself and with `f64` on either side, by value and by reference;
+//! Implements the operators of [`Real`] with itself and with `f64`, by value and by reference, and
 //! comparisons of real parts.
 
 use std::cmp::Ordering;

@@ -1,4 +1,6 @@
-//! Functions of two numbers. The second is a number or an `f64`, as `impl Into<Real<D>>`.
+//! Implements functions of two numbers.
+//!
+//! The second argument is a [`Real`](super::Real) or an `f64`, as `impl Into<Real<D>>`.
 
 use kin_graph::{Function2, rules};
 
@@ -117,25 +119,29 @@ fn by_definition<D: Dual>(f: Function2, x: Real<D>, y: Real<D>) -> Real<D> {
 }
 
 impl<D: Dual> Real<D> {
-    /// Logarithm of x to a base: ln x / ln base.
+    /// Returns the logarithm of x to a base: ln x / ln base.
     pub fn log(self, base: impl Into<Self>) -> Self {
         self.ln() / base.into().ln()
     }
 
-    /// `self.max(low).min(high)`: `self` on both edges, NaN for NaN, `high` where low > high.
+    /// Returns `self.max(low).min(high)`.
+    ///
+    /// The result is `self` if `self` equals an edge, NaN if `self` is NaN, and `high` if low >
+    /// high.
     pub fn clamp(self, low: impl Into<Self>, high: impl Into<Self>) -> Self {
         if self.is_nan() { self } else { self.max(low).min(high) }
     }
 
-    /// self · a + b, the value rounded once.
+    /// Returns self · a + b, with a value that is rounded once.
     pub fn mul_add(self, a: impl Into<Self>, b: impl Into<Self>) -> Self {
         let a = a.into();
         let b = b.into();
         (self * a + b).with_value(self.value().mul_add(a.value(), b.value()))
     }
 
-    /// |x| with the sign of `sign`, −0 being negative there; at x = ±0 the slope is that of the
-    /// side x ≥ 0, as for [`Real::abs`].
+    /// Returns |x| with the sign of `sign`, where −0 is negative.
+    ///
+    /// At x = ±0 the slope is the slope of the side x ≥ 0, as for [`Real::abs`].
     pub fn copysign(self, sign: impl Into<Self>) -> Self {
         let size = self.abs();
         if sign.into().is_sign_negative() { -size } else { size }

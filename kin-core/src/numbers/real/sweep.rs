@@ -1,4 +1,5 @@
-//! One list of functions, each derivative held against central differences of the one below it.
+//! Tests a list of functions: compares each derivative with central differences of the derivative
+//! below it.
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 

@@ -1,9 +1,10 @@
-//! Second-order numbers that know where they ceased to be finite. They stand in for others when an
-//! equation has failed and runs once more.
+//! Defines second-order numbers that record where they ceased to be finite.
 //!
-//! A number that is not finite carries the number of the *fault* that made it so; faults are noted
-//! where an operation on finite numbers gives one that is not, and belong to the innermost
-//! expression of the user's that ends next ([`ended`], written by `#[constraint]`).
+//! Kin uses these numbers to evaluate an equation again after a failure.
+//!
+//! A number that is not finite carries the index of the *fault* that caused it. Kin records a fault
+//! where an operation on finite numbers gives a number that is not finite. A fault belongs to the
+//! innermost user expression that ends next ([`ended`], which `#[constraint]` emits).
 
 use std::cell::RefCell;
 use std::fmt;
@@ -17,7 +18,7 @@ const MOST_FAULTS: usize = 10_000;
 /// How many coordinates are told apart; the last bit is that of the time.
 pub(crate) const TIME: u32 = 63;
 
-/// A number with two derivatives along one direction, and what it was computed from.
+/// A number with two derivatives along one direction, and the origin of the number.
 #[derive(Clone, Copy, Debug)]
 pub struct Traced {
     number: Dual2_64,
@@ -31,9 +32,10 @@ pub struct Traced {
 /// An operation that made something not finite.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Fault {
-    /// The expression that the operation is in.
+    /// The expression that contains the operation.
     pub expression: Option<usize>,
-    /// Of value, first and second derivative: the one that is not finite.
+    /// The index of the part that is not finite: 0 for the value, 1 for the first and 2 for the
+    /// second derivative.
     pub part: usize,
     pub value: f64,
     pub operands: [Option<f64>; 2],

@@ -1,4 +1,5 @@
-//! Numbers with derivatives walk a graph: each function of its list is the method of that name.
+//! Evaluates a graph with numbers that carry derivatives: each function of the list is the method
+//! with the same name.
 
 use std::ops::Rem;
 

@@ -1,5 +1,7 @@
-//! Parameters and laws that differ from case to case. Such parameters become inputs of the stages;
-//! such laws are evaluated time by time instead of being written out. Everything else is folded.
+//! Handles parameters and laws that differ from case to case.
+//!
+//! Parameters that differ become inputs of the stages. Kin evaluates laws that differ at each time
+//! and does not write them into the graph. Kin folds all other parameters and laws.
 
 use kin_graph::{Graph, Input, Node, Op};
 

@@ -1,5 +1,6 @@
-//! Values of time alone that only the user's program can compute, as laws of time. A program
-//! evaluates them lane by lane, with derivatives by dual numbers.
+//! Converts values of time that only the user's program can compute to laws of time.
+//!
+//! A compiled program evaluates these laws lane by lane, with derivatives by dual numbers.
 
 use kin_graph::Node;
 

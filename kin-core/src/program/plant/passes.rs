@@ -1,5 +1,5 @@
-//! Faults within the passes that make a program: a node or a number in the result of a pass is
-//! wrong.
+//! Plants faults within the passes that make a program: a node or a number in the result of a pass
+//! is wrong.
 
 use kin_graph::{Graph, Node};
 

@@ -1,5 +1,7 @@
-//! A program as a tape: steps in runs of one kind, on a memory of numbers. The interpreter decodes
-//! each run only once.
+//! Defines a tape, the form of a program that Kin runs: steps in runs of one kind, on a memory of
+//! numbers.
+//!
+//! The interpreter decodes each run only once.
 
 pub(crate) mod alone;
 mod masks;

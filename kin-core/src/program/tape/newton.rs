@@ -1,5 +1,5 @@
-//! Newton's method on torn coordinates, and the checks of a position, over any number: one time, or
-//! one time in each lane.
+//! Implements Newton's method on torn coordinates, and the checks of a position, for one time or
+//! for one time in each lane.
 
 use std::sync::Arc;
 

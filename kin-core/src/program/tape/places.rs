@@ -1,5 +1,6 @@
-//! Assigns places to the numbers of a tape. A place is reused after its number has been read for
-//! the last time.
+//! Assigns places in memory to the numbers of a tape.
+//!
+//! Kin reuses a place after a step has read its number for the last time.
 
 use kin_graph::{Graph, Input, Node, Op};
 

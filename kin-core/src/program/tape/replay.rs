@@ -1,4 +1,4 @@
-//! Replays a tape over any number: one for each lane, or a single one.
+//! Replays a tape over any type of number: one number for each lane, or a single number.
 
 use kin_graph::{Comparison, Function, Function2};
 use pulp::NullaryFnOnce;

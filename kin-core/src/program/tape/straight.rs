@@ -1,5 +1,6 @@
-//! A tape without stages, over all times of a motion. Its inputs and outputs are rows of lists, one
-//! for each time.
+//! Runs a tape without stages over all times of a motion.
+//!
+//! The inputs and outputs of the tape are rows of lists, one row for each time.
 
 use kin_graph::Input;
 use pulp::NullaryFnOnce;

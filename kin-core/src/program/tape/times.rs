@@ -1,5 +1,5 @@
-//! Many times of one run at once, one in each lane: Newton's method on torn coordinates, velocities
-//! and accelerations, C as written, and the checks of each time.
+//! Computes many times of one run at once, one time in each lane: Newton's method on torn
+//! coordinates, velocities and accelerations, C as written, and the checks of each time.
 //!
 //! The digits of a lane never depend on its neighbours: a converged lane does not change while
 //! others continue.

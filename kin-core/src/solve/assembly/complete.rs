@@ -1,4 +1,4 @@
-//! The assemblies that Kin found, and whether others can exist.
+//! Stores the assemblies that Kin found, and the evidence that the list is complete.
 
 use std::fmt::{Display, Formatter};
 use std::ops::Deref;
@@ -11,10 +11,10 @@ use super::label::Label;
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Assembly {
-    /// The name of the assembly.
+    /// The label that identifies the assembly.
     pub label: Label,
-    /// The pose, with C(q, t) = 0. As a guess it leads to this assembly again
-    /// ([`crate::System::set_initial`]). \[m, rad\]
+    /// The pose, with C(q, t) = 0. \[m, rad\] If you pass the pose to
+    /// [`crate::System::set_initial`], the system finds this assembly again.
     pub q: Vec<f64>,
 }
 
@@ -23,10 +23,10 @@ pub struct Assembly {
 #[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum Complete {
-    /// Kin has proved that there is no other assembly.
+    /// Kin has proved that no other assembly exists.
     Proved,
-    /// Kin does not expect another assembly from more starts. The search ended by its statistical
-    /// rule, not by a proof.
+    /// Kin does not expect another assembly from more starts. A statistical rule ended the search,
+    /// so completeness is not proved.
     Believed,
     /// Other assemblies may exist.
     Unknown,
@@ -42,18 +42,19 @@ impl Display for Complete {
     }
 }
 
-/// The assemblies that [`crate::System::assemblies`] has found, in the order of their labels, and
-/// whether the list is complete.
+/// The assemblies that [`crate::System::assemblies`] has found, in the order of their labels.
+///
+/// The field `complete` says whether the list is complete.
 ///
 /// The type dereferences to a slice: `all.len()`, `all[0]`, `for one in &all`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Assemblies {
-    /// The assemblies.
+    /// The assemblies in the order of their labels.
     pub assemblies: Vec<Assembly>,
     /// Says whether the list is complete.
     pub complete: Complete,
-    /// The reason for that, in words.
+    /// The reason for the value of `complete`, as a sentence.
     pub reason: String,
 }
 

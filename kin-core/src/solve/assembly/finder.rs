@@ -1,4 +1,4 @@
-//! Newton's steps for one group of equations, with all other coordinates constant.
+//! Makes Newton's steps for one group of equations, with all other coordinates constant.
 
 use super::groups::Group;
 use super::known::Known;

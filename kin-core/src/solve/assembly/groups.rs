@@ -1,6 +1,7 @@
-//! Splits the equations into groups that must be solved together. Each group has as many
-//! coordinates as equations once the preceding groups are solved. A driven crank is one group, and
-//! the loop that it moves is another.
+//! Splits the equations into groups that must be solved together.
+//!
+//! Each group has as many unknown coordinates as equations, after the preceding groups are solved.
+//! For example, a driven crank is one group, and the loop that the crank moves is another group.
 
 use crate::model::coordinates::Target;
 use crate::model::layout::{Kind, Place};

@@ -1,5 +1,5 @@
-//! The known poses of one group, how often starts have led to each, and an estimate of the missing
-//! poses.
+//! Counts how often starts have led to each known pose of a group, and estimates the number of
+//! missing poses.
 
 use super::label::canonical;
 use crate::model::layout::Kind;

@@ -1,4 +1,4 @@
-//! The name of one assembly of a mechanism.
+//! Names one assembly of a mechanism.
 
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;
@@ -11,18 +11,19 @@ use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
 /// The name of one assembly: a vector of signs, and an ordinal among the assemblies with the same
-/// signs. It is written as `+-+ 2`.
+/// signs, such as `+-+ 2`.
 ///
-/// The first sign is that of det C_q, which changes only at singular positions. Redundant
-/// mechanisms have no such sign. One sign follows for each pair of moving bodies that a constraint
-/// joins, in the order in which constraints were added, and for each spatial body that is joined to
-/// the ground. For planar bodies i and j it is the sign of sin(θ_j − θ_i): the elbow is on the left
-/// or on the right. For spatial bodies it is + if their relative rotation is less than a right
-/// angle on the whole, tr(A_iᵀ A_j) > 1.
+/// The first sign is the sign of det C_q, which changes only at singular positions. Redundant
+/// mechanisms do not have this sign. One sign follows for each pair of moving bodies that a
+/// constraint joins, in the order of the constraints, and for each spatial body that is joined to
+/// the ground. For planar bodies i and j the sign is the sign of sin(θ_j − θ_i), which says on
+/// which side the elbow is. For spatial bodies the sign is + if the angle of the relative rotation
+/// is less than a right angle: tr(A_iᵀ A_j) > 1.
 ///
-/// Ordinals count from 1 in the order of the coordinates. The first coordinate that differs by more
-/// than 1e-6 (of a radian, or of the model's length) decides. Angles count between −π and π. Of p
-/// and −p, which are one pose, the one whose first nonzero number is positive counts.
+/// Ordinals count from 1. Kin sorts the assemblies with the same signs by the first coordinate that
+/// differs by more than 1e-6 rad, or by more than 1e-6 of the model's length. Kin compares angles
+/// between −π and π. The Euler parameters p and −p describe the same pose, so Kin compares the one
+/// whose first nonzero number is positive.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Label {
     /// The signs, +1 or −1.

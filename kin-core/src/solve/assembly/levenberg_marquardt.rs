@@ -1,5 +1,7 @@
-//! Damped least squares on C (Levenberg–Marquardt). It accepts more equations than coordinates,
-//! dependent equations, and equations that cannot be satisfied.
+//! Minimises |C|² by damped least squares (Levenberg–Marquardt).
+//!
+//! The method accepts more equations than coordinates, dependent equations, and equations that
+//! cannot be satisfied.
 
 use crate::linear::LeastSquares;
 use crate::system::scaled::{Measures, Model, Point};

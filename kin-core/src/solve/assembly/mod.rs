@@ -1,5 +1,5 @@
-//! Finds poses from poor guesses: the nearest pose, all poses, or the smallest gap if there is
-//! none.
+//! Finds poses from poor guesses: the nearest pose, all poses, or the smallest gap if no pose
+//! exists.
 
 mod complete;
 mod finder;

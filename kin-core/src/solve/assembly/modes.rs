@@ -2,12 +2,11 @@
 //!
 //! The equations form groups that follow one another ([`groups`]). For each combination of
 //! solutions of the preceding groups, Kin searches all solutions of a group by Newton's method from
-//! many starts. If one of the first starts leads to a known solution, Kin repeats it with
-//! deflation, which pushes steps away from known solutions (P. E. Farrell, Á. Birkisson, S. W.
-//! Funke, Deflation techniques for finding distinct solutions of nonlinear partial differential
-//! equations, SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is
-//! Newton's step times 1 / (1 − ∇ln M · Δq). The search ends by a statistical rule
-//! ([`Known::is_settled`]).
+//! many starts. If an early start leads to a known solution, Kin repeats the start with deflation,
+//! which pushes steps away from known solutions (P. E. Farrell, Á. Birkisson, S. W. Funke,
+//! Deflation techniques for finding distinct solutions of nonlinear partial differential equations,
+//! SIAM J. Sci. Comput. 37, 2015). With M = Π (1 + ρ²/d_k²) the step of M C = 0 is Newton's step
+//! times 1 / (1 − ∇ln M · Δq). A statistical rule ends the search ([`Known::is_settled`]).
 
 use rayon::prelude::*;
 

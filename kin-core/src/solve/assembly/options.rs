@@ -1,29 +1,31 @@
-//! SolverOptions of the search for a pose.
+//! Defines the options of the search for a pose.
 
 use std::time::{Duration, Instant};
 
 use crate::model::error::{Error, Result};
 
-/// SolverOptions of the search for a pose from a guess that may be poor. All fields have defaults:
-/// `SearchOptions { starts: 50, ..SearchOptions::default() }`.
+/// Options of the search for a pose from a guess that may be poor.
+///
+/// All fields have defaults: `SearchOptions { starts: 50, ..SearchOptions::default() }`.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SearchOptions {
-    /// The largest number of starts: the guess, then others around it at growing distances; default
-    /// 16.
+    /// The largest number of starts (default 16). The first start is the guess; the other starts
+    /// are around the guess, at growing distances.
     pub starts: usize,
-    /// The largest number of damped least-squares steps (Levenberg–Marquardt) from one start;
-    /// default 200.
+    /// The largest number of damped least-squares steps (Levenberg–Marquardt) from one start
+    /// (default 200).
     pub steps: usize,
-    /// The seed of the random starts. The same seed gives the same starts; default 0.
+    /// The seed of the random starts (default 0). The same seed gives the same starts.
     pub seed: u64,
-    /// The time after which no new start begins; default none. With a limit the result can depend
-    /// on the machine.
+    /// The time after which no new start begins; `None` (default) for no limit. With a time limit
+    /// the result can depend on the speed of the machine.
     pub time_limit: Option<Duration>,
-    /// Constraints that a diagnosis releases at most, where not all can be satisfied; default 6.
+    /// The largest number of constraints that a diagnosis releases if the constraints cannot all be
+    /// satisfied (default 6).
     pub released: usize,
-    /// Nearby poses at most at which a diagnosis computes the rank, where the rank is less than it
-    /// could be; default 3.
+    /// The largest number of nearby poses at which a diagnosis computes the rank, if the rank is
+    /// not full (default 3).
     pub poses: usize,
 }
 
@@ -34,7 +36,7 @@ impl Default for SearchOptions {
 }
 
 impl SearchOptions {
-    /// Returns the defaults.
+    /// Returns the default options.
     pub fn new() -> Self {
         Self::default()
     }
@@ -66,7 +68,7 @@ impl SearchOptions {
     }
 }
 
-/// SolverOptions of the search for all assemblies ([`crate::System::assemblies`]).
+/// Options of the search for all assemblies ([`crate::System::assemblies`]).
 ///
 /// ```
 /// let options = kin::solver::AssemblyOptions::new().seed(7);
@@ -75,19 +77,19 @@ impl SearchOptions {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct AssemblyOptions {
-    /// Starts at most for a group of up to seven equations that must be solved together, such as a
-    /// platform on six rods; of k > 7 equations (7/k)² times as many, but at least a fifth.
-    /// Default 20000.
+    /// The largest number of starts for a group of up to seven equations that must be solved
+    /// together, such as a platform on six rods (default 20 000). For a group of k > 7 equations
+    /// the limit is (7/k)² times this number, but at least a fifth of it.
     pub starts: usize,
-    /// The search goes on for at least this many starts in a row that lead to nothing new, and ten
-    /// more for each solution that is known; default 60.
+    /// The number of consecutive starts without a new solution after which the search may end
+    /// (default 60). The search needs ten more such starts for each known solution.
     pub patience: usize,
-    /// Newton's steps from one start; default 60.
+    /// The largest number of Newton steps from one start (default 60).
     pub steps: usize,
-    /// The same seed gives the same assemblies; default 0.
+    /// The seed of the random starts (default 0). The same seed gives the same assemblies.
     pub seed: u64,
-    /// Time after which no other start is begun. With a limit the result can depend on the machine;
-    /// default none.
+    /// The time after which no new start begins; `None` (default) for no limit. With a time limit
+    /// the result can depend on the speed of the machine.
     pub time_limit: Option<Duration>,
 }
 
@@ -98,7 +100,7 @@ impl Default for AssemblyOptions {
 }
 
 impl AssemblyOptions {
-    /// Returns the defaults.
+    /// Returns the default options.
     pub fn new() -> Self {
         Self::default()
     }

@@ -1,5 +1,5 @@
-//! The distance of a pose from preferred values, and the nearest assembly if measures of joints are
-//! preferred.
+//! Computes the distance of a pose from preferred values, and finds the nearest assembly if the
+//! preferences are measures of joints.
 
 use super::modes;
 use super::options::SearchOptions;

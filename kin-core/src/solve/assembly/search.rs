@@ -1,4 +1,6 @@
-//! Finds the first pose of any mechanism, start after start. The starts are the same in every run.
+//! Finds the first pose of any mechanism by a search from several starts.
+//!
+//! The starts are the same in every run.
 
 use super::levenberg_marquardt::{Iterate, LevenbergMarquardt};
 use super::options::SearchOptions;

@@ -1,5 +1,6 @@
-//! Mends joints on the wrong branch, with an axis turned by 180°: one of their bodies is turned
-//! over, and everything is moved back onto C = 0.
+//! Corrects joints on the wrong branch, with an axis turned by 180°.
+//!
+//! Kin turns over one body of the joint, and then solves C = 0 again.
 
 use super::search::{Found, descend};
 use crate::model::coordinates::Target;

@@ -1,10 +1,11 @@
-//! Numbers that look like angles in degrees, where Kin reads radians.
+//! Finds numbers that look like angles in degrees, where Kin expects radians.
 //!
-//! The rule for an angle: a multiple of 15 between 15 and 3600. In degrees these are the usual
-//! angles. In radians they are 2.4 turns and more, and people give large angles as multiples of π.
-//! The rule for an angle a time: a multiple of 45 between 45 and 36 000 that is no multiple of 50,
-//! or any multiple of 360. Shafts of 10, 50, 100, 150, 300 or 314.16 rad/s are usual, so that Kin
-//! does not report them. Kin cannot know what was meant: each warning asks.
+//! Kin reports an angle that is a multiple of 15 between 15 and 3600. Such numbers are common
+//! angles in degrees. In radians these numbers are 2.4 revolutions or more, and users write large
+//! angles as multiples of π. Kin reports an angular velocity that is a multiple of 45 between 45
+//! and 36 000 but not a multiple of 50, or any multiple of 360. Angular velocities of 10, 50, 100,
+//! 150, 300 or 314.16 rad/s are common, so Kin does not report them. Kin cannot know the intention
+//! of the user, so each warning is a question.
 
 use std::cell::OnceCell;
 use std::f64::consts::{PI, TAU};

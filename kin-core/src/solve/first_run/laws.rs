@@ -1,4 +1,4 @@
-//! The numbers of laws that are an angle, or an angle a time, where the law is one.
+//! Finds the numbers of a law that are angles or angular velocities, if the law is an angle.
 
 use crate::model::law::Law;
 

@@ -1,5 +1,6 @@
-//! The checks that a run makes once, when it begins: slips that people make in their first run and
-//! that still give a motion. [`Motion::warnings`] adds what the motion itself shows.
+//! Checks a run once, when the run begins, for common mistakes with which the run still succeeds.
+//!
+//! [`Motion::warnings`] adds the warnings that Kin derives from the motion itself.
 
 mod degrees;
 mod laws;

@@ -1,4 +1,4 @@
-//! A run that begins at a position that is singular, or nearly so, and goes on.
+//! Finds runs that begin at or near a singular position and still continue.
 
 use crate::model::motion::{Warning, WarningKind};
 use crate::model::words::{at, list};

@@ -1,12 +1,13 @@
-//! Bifurcations: two curves of G(x) = C(q, t) = 0 cross, so G_x has rank n − 1 and there are two
-//! tangents.
+//! Computes the branches at a bifurcation, where two curves of G(x) = C(q, t) = 0 cross, so that
+//! G_x has rank n − 1 and two tangents exist.
 //!
-//! G_x has two null directions. Along them the curve satisfies one equation f(ξ) = 0 in two
-//! unknowns (Lyapunov and Schmidt). f is the remaining residual of G when everything else is
-//! satisfied, in units of the combination b of rows that G_x cannot reach. The matrix B = [G_x b;
-//! Φᵀ 0] is regular there. It gives f, its gradient and its Hessian, by second-order terms along
-//! two directions. f has a critical point. If f is zero there, curves cross along the two null
-//! directions of the Hessian. If not, they approach each other and part again.
+//! G_x has two null directions. Along these directions the curve satisfies one equation f(ξ) = 0 in
+//! two unknowns (Lyapunov and Schmidt). The function f is the remaining residual of G when all
+//! other equations are satisfied, in units of the combination b of rows that G_x cannot reach. The
+//! matrix B = [G_x b; Φᵀ 0] is regular at the bifurcation. From B Kin computes f, its gradient and
+//! its Hessian, by second-order terms along two directions. The function f has a critical point. If
+//! f is zero at the critical point, two curves cross along the two null directions of the Hessian.
+//! Otherwise the curves approach each other and separate again.
 
 use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
@@ -41,8 +42,8 @@ const DIFFERENCE: f64 = 1e-3;
 /// Two curves that cross.
 pub(super) struct Branching {
     pub x: Vec<f64>,
-    /// The tangents of the smooth continuation and of the other branch. They have length 1 in
-    /// scaled units, with increasing time if time moves.
+    /// The tangents of the smooth continuation and of the other branch. The tangents have length 1
+    /// in scaled units, and point to increasing time if time changes.
     pub tangents: [Vec<f64>; 2],
     /// The velocities and accelerations of these branches; `None` if the drivers rest.
     pub rates: [Option<Branch>; 2],

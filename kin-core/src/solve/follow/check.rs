@@ -2,12 +2,12 @@
 //! ends, pivots and their signs.
 //!
 //! Two neighbouring solutions are on opposite sides of a singular position, so det C_q has opposite
-//! signs there. Near a C_q with a scaled pivot p, no other solution is much nearer than p. So a
-//! step is good under two conditions: no block of C_q has changed its sign, and q + h q̇ + ½ h² q̈
-//! from each end hits the other end with an error far below p. Otherwise second-order terms along
-//! the error decide whether Newton's method from the prediction must end at this solution (the
-//! estimate of Newton and Kantorovich). They recognise equations that are linear in this direction,
-//! such as those of a chain in its lengths.
+//! signs at the two solutions. Near a C_q with a scaled pivot p, no other solution is much nearer
+//! than p. So a step is good under two conditions: no block of C_q has changed its sign, and q + h
+//! q̇ + ½ h² q̈ from each end hits the other end with an error far below p. Otherwise second-order
+//! terms along the error decide whether Newton's method from the prediction must end at this
+//! solution (the estimate of Newton and Kantorovich). The second-order terms are zero for equations
+//! that are linear along the error, such as the equations of a chain in its lengths.
 
 use super::drive::{Drive, Lever, Span};
 use crate::model::units::Unit;

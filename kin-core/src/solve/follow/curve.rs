@@ -1,5 +1,6 @@
-//! The curve of solutions through x = (q, t) by its arc length s. It is regular where C_q is not,
-//! as long as [C_q C_t] has full rank.
+//! Computes the curve of solutions through x = (q, t) by its arc length s.
+//!
+//! The curve is regular even where C_q is singular, if [C_q C_t] has full rank.
 //!
 //! The equations are [C_q C_t; x₀′ᵀ] x′ = (0, 1) and [C_q C_t; x₀′ᵀ] x″ = (−(G_x x′)_x x′, 0) with
 //! G(x) = C(q, t). Lengths are in units of the sizes of the coordinates. Time is in units of the

@@ -1,21 +1,20 @@
-//! Tests whether the ends of a step show everything that time does in between: a motor may go out
-//! and return within the step.
+//! Tests whether both ends of a step show the whole effect of time within the step: a motor may
+//! move forward and return within the step.
 //!
 //! Time enters an equation through signals, functions w(t) that do not depend on q: laws of time,
 //! sin ω t, and combinations of them. Over a step h a signal differs from its quadratic polynomial
-//! at either end by at most ⅙ h³ max |w‴|, or by ½ h² times the range of w″ if w″ jumps. Bounds of
-//! these come from the formula of the equation and from its laws
-//! ([`crate::extend::LawFunction::over`]), over stretches of many steps. If the signals cannot move
-//! the position further than the permitted error of a prediction, the step hides nothing.
+//! at either end by at most ⅙ h³ max |w‴|, or by ½ h² times the range of w″ if w″ jumps. Kin
+//! computes bounds of w‴ and w″ from the formula of the equation and from its laws
+//! ([`crate::extend::LawFunction::over`]), for many steps at once. If the signals cannot move the
+//! position further than the permitted error of a prediction, the step passes the test.
 //!
-//! Constraints without known bounds (user-defined laws without bounds, the dual route, hand-written
-//! constraints) are sampled: C at constant q, at the eighths of the step.
+//! For constraints without known bounds (user-defined laws without bounds, the dual route,
+//! hand-written constraints) Kin samples C at constant q, at the eighths of the step.
 //!
-//! A signal that changes direction within the step leaves the range between its ends. That may lead
-//! beyond a change point that is passed smoothly in both directions, and neither end shows it. So
-//! the signal may leave that range by no more than the permitted error of a prediction.
-//! beyond a change point that is passed smoothly there and back: neither end tells it. So that
-//! range, too, may be left by no more than a prediction may miss.
+//! A signal that changes direction within the step leaves the range between its ends. The motion
+//! may then pass a change point smoothly in both directions, and neither end of the step shows the
+//! change point. So the signal may leave the range between its ends by no more than the permitted
+//! error of a prediction.
 
 mod sampled;
 

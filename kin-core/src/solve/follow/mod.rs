@@ -1,12 +1,14 @@
-//! Follows the motion: a run stays on its branch, or reports that it cannot.
+//! Follows the motion, so that a run stays on its branch or reports that it cannot stay on its
+//! branch.
 //!
 //! Solutions of C(q, t) = 0 form curves. Two curves approach each other, or meet, only at singular
 //! positions. Kin tests each step of time with existing numbers ([`check`]) and with bounds of what
-//! drivers can do in between ([`drive`]). It halves a step that fails the test. If short steps no
-//! longer help, there is a singular position, or nearly one. Kin then follows the curve by its arc
-//! length through (q, t) ([`curve`]), where it is regular even if time turns round. [`turning`]
-//! finds that place. Where two curves cross, [`branching`] finds both tangents. [`passage`]
-//! combines these parts.
+//! drivers can do in between ([`drive`]). Kin halves a step that fails the test. If short steps no
+//! longer help, the motion is at or near a singular position. Kin then follows the curve by its arc
+//! length through (q, t) ([`curve`]), because the curve is regular even where time changes its
+//! direction. [`turning`] finds the point at which time changes its direction. Where two curves
+//! cross, [`branching`] finds both tangents. [`passage`] combines [`curve`], [`turning`] and
+//! [`branching`].
 
 mod branching;
 mod check;

@@ -1,5 +1,4 @@
-//! Passes a stretch on which time cannot be the parameter: follows the curve up to the requested
-//! time.
+//! Follows the curve up to the requested time where time cannot be the parameter of the curve.
 
 use super::branching::{self, Branching};
 use super::curve::{Curve, CurvePoint};

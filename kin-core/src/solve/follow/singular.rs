@@ -1,4 +1,4 @@
-//! Singular positions of a motion for its report.
+//! Describes the singular positions of a motion for its report.
 
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;

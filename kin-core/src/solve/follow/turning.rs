@@ -1,4 +1,5 @@
-//! Turning points: dt/ds changes its sign, no solution exists beyond t*, and two branches meet.
+//! Finds turning points, where dt/ds changes its sign, no solution exists beyond t*, and two
+//! branches meet.
 
 use super::curve::{Curve, CurvePoint};
 use super::root::root;

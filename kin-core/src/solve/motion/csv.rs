@@ -9,7 +9,7 @@ use crate::model::error::{Error, Result};
 
 /// Calls `write` to write a file, and creates missing folders.
 ///
-/// Errors: a folder or file that cannot be written, with its path.
+/// Errors: Kin cannot write the folder or file; the error contains the path.
 pub(crate) fn to_file(
     path: &Path,
     write: impl FnOnce(BufWriter<File>) -> std::io::Result<()>,
@@ -33,13 +33,13 @@ pub(crate) fn as_text(text: String) -> String {
 impl Motion {
     /// Writes the motion as a CSV file and creates missing folders.
     ///
-    /// The columns are t, then all q, all q̇, all q̈ (and all q⃛ if the run computed the jerk) in
-    /// the order of the coordinates, then the outputs. Headers are `t [s]`, `crank.R_x [m]`,
+    /// The columns are t, all q, all q̇, all q̈ (and all q⃛ if the run computed the jerk) in the
+    /// order of the coordinates, and the derived quantities. Headers are `t [s]`, `crank.R_x [m]`,
     /// `crank.R_x' [m/s]`, `crank.R_x'' [m/s^2]`, `crank.R_x''' [m/s^3]`. Numbers have 17
-    /// significant digits. A header that begins like a formula of a spreadsheet (`=`, `+`, `-`,
-    /// `@`) gets a leading `'`.
+    /// significant digits. If a header begins like a formula of a spreadsheet (`=`, `+`, `-`, `@`),
+    /// Kin writes `'` before it.
     ///
-    /// Errors: a folder or file that cannot be written, with its path.
+    /// Errors: Kin cannot write the folder or file; the error contains the path.
     pub fn write_csv(&self, path: impl AsRef<Path>) -> Result<()> {
         to_file(path.as_ref(), |to| self.write_csv_to(to))
     }
@@ -78,7 +78,7 @@ impl Motion {
         Ok(())
     }
 
-    /// Returns the header of each column.
+    /// Returns the header of each column of the CSV table.
     pub fn headers(&self) -> Vec<String> {
         let mut all = vec![format!("t [{}]", self.unit_words().time())];
         let orders = if self.has_jerk() { 4 } else { 3 };

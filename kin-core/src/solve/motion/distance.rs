@@ -1,4 +1,4 @@
-//! The distance of two points over time.
+//! Computes the distance of two points over time.
 
 use num_dual::{Dual3_64, DualNum};
 
@@ -8,12 +8,13 @@ use crate::model::error::{Error, Result};
 impl Motion {
     /// Returns the distance |r_P − r_Q| of two points over time, with its derivatives. \[m\]
     ///
-    /// P is the local position `p` of body `a`, Q the local position `q` of body `b`. Use it for
-    /// the length of a spring or a cylinder, or the clearance of two edges. The ground is a body
-    /// too: `PlanarBody::from(ground)`, `SpatialBody::from(ground)`.
+    /// P is the point with local position `p` of body `a`, and Q is the point with local position
+    /// `q` of body `b`. Use the distance for the length of a spring or a cylinder, or for the
+    /// clearance of two edges. For the ground pass `PlanarBody::from(ground)` or
+    /// `SpatialBody::from(ground)`.
     ///
-    /// As a measure for extremes and crossings write `system.extremes(&motion, |m: &Motion|
-    /// m.distance(arm, (0.4, 0.0), frame, (0.0, 0.3)))?`.
+    /// To find extremes and crossings of the distance, write
+    /// `system.extremes(&motion, |m: &Motion| m.distance(arm, (0.4, 0.0), frame, (0.0, 0.3)))?`.
     ///
     /// Errors: a body belongs to another mechanism; the points meet, so the distance has no
     /// derivative.

@@ -1,4 +1,4 @@
-//! Motions that were measured, or that another program computed.
+//! Creates motions from states that were measured, or that another program computed.
 
 use super::Motion;
 use crate::model::error::{Error, Result};
@@ -9,8 +9,9 @@ impl Motion {
     /// Creates a motion from given states: q, q̇ and q̈ at each time, in the order of
     /// [`System::coordinate_names`]. \[s, m, rad\]
     ///
-    /// Kin solves nothing and requires only finite numbers. [`Motion::residuals`] shows how far the
-    /// states are from C(q, t) = 0. Use it for the forces of a measured motion.
+    /// Kin does not solve or change the states, and requires only finite numbers.
+    /// [`Motion::residuals`] shows how far the states are from C(q, t) = 0. Use this function to
+    /// compute the forces of a measured motion.
     ///
     /// ```
     /// # use kin::prelude::*;
@@ -32,8 +33,8 @@ impl Motion {
     /// # }
     /// ```
     ///
-    /// Errors: lists or rows of the wrong length, numbers that are not finite, times that neither
-    /// increase nor decrease throughout.
+    /// Errors: a list or row has the wrong length; a number is not finite; the times neither only
+    /// increase nor only decrease.
     pub fn from_states(
         system: &System,
         times: &[f64],

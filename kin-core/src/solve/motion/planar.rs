@@ -1,5 +1,5 @@
-//! Measures of planar bodies over time: angles between bodies, the transmission angle, instant
-//! centres.
+//! Computes measures of planar bodies over time: angles between bodies, the transmission angle,
+//! instant centres.
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -13,8 +13,10 @@ use crate::numbers::algebra::Vec2;
 /// zero. \[-\]
 const STILL: f64 = 1e-12;
 
-/// A direction fixed in a planar body. A link means the line through its pins; `(body, h)` gives
-/// another direction.
+/// A direction fixed in a planar body.
+///
+/// A link gives the direction of the line through its pins. A pair `(body, h)` gives the direction
+/// h.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
     body: PlanarBody,
@@ -36,7 +38,7 @@ impl<B: Into<PlanarBody>, V: Into<Vec2>> From<(B, V)> for Line {
 impl Motion {
     /// Returns θ_a − θ_b over time: the angle of `a` relative to `b` or to the ground. \[rad\]
     ///
-    /// It is counter-clockwise positive and counts any number of revolutions.
+    /// The angle is positive counter-clockwise and counts full revolutions.
     ///
     /// Errors: a body belongs to another mechanism.
     pub fn relative_angle(
@@ -55,10 +57,10 @@ impl Motion {
     /// Returns the transmission angle over time: the angle between a coupler and the link that it
     /// drives, from 0 to π/2. \[rad\]
     ///
-    /// The closer to π/2, the better the coupler transmits force. For a four-bar write
-    /// `transmission_angle(coupler, rocker)`. For a slider give the direction across its line:
-    /// `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle has a kink, and
-    /// its derivatives are those of one side.
+    /// The closer the angle is to π/2, the better the coupler transmits force. For a four-bar write
+    /// `transmission_angle(coupler, rocker)`. For a slider give the direction perpendicular to its
+    /// line: `transmission_angle(rod, (ground, vec2(0.0, 1.0)))`. At 0 and π/2 the angle has a
+    /// kink, and the derivatives are those of one side.
     ///
     /// Errors: a body belongs to another mechanism.
     pub fn transmission_angle(
@@ -84,12 +86,13 @@ impl Motion {
         Ok(all.renamed("transmission angle"))
     }
 
-    /// Returns the instant centre of two planar bodies at each time: the point that has the same
-    /// velocity in both, in the global frame. \[m\]
+    /// Returns the instant centre of two planar bodies at each time, in the global frame: the point
+    /// that has the same velocity in both bodies. \[m\]
     ///
     /// One body may be the ground. The result is `None` at times at which the bodies do not rotate
-    /// relative to each other. It is (−v_y, v_x)/ω, where v is the relative velocity at the origin
-    /// and ω the relative angular velocity. Shabana, *Computational Dynamics*, section 2.4.
+    /// relative to each other. The instant centre is (−v_y, v_x)/ω, where v is the relative
+    /// velocity at the global origin and ω is the relative angular velocity. Source: Shabana,
+    /// *Computational Dynamics*, section 2.4.
     ///
     /// Errors: a body belongs to another mechanism.
     pub fn instant_centre(

@@ -1,4 +1,4 @@
-//! Points of bodies over time: r, v, a and jerk.
+//! Computes the position, velocity, acceleration and jerk of points of bodies over time.
 
 use std::ops::Range;
 
@@ -32,7 +32,8 @@ impl Motion {
         self.point(marker.body, marker.u)
     }
 
-    /// Adds r, v and a of a marker to the file, under the name of the marker.
+    /// Adds the position, velocity and acceleration of a marker to the motion, as columns with the
+    /// name of the marker.
     ///
     /// Errors: the body belongs to another mechanism, the name is taken.
     pub fn add_marker<B: Body + Copy>(&mut self, marker: &Marker<B>) -> Result<()> {
@@ -102,23 +103,24 @@ impl<V: Vector> PointMotion<V> {
         &self.times
     }
 
-    /// Returns the global position r. \[m\]
+    /// Returns the global position r at each time. \[m\]
     pub fn r(&self) -> &[V] {
         &self.r
     }
 
-    /// Returns v = ṙ in global components. \[m/s\]
+    /// Returns the velocity v = ṙ at each time, in global components. \[m/s\]
     pub fn v(&self) -> &[V] {
         &self.v
     }
 
-    /// Returns a = r̈ in global components. \[m/s²\]
+    /// Returns the acceleration a = r̈ at each time, in global components. \[m/s²\]
     pub fn a(&self) -> &[V] {
         &self.a
     }
 
-    /// Returns ȧ in global components. It is empty unless the run computed the jerk
-    /// ([`crate::SolverOptions::jerk`]). \[m/s³\]
+    /// Returns the jerk ȧ at each time, in global components. \[m/s³\]
+    ///
+    /// The slice is empty if the run did not compute the jerk ([`crate::SolverOptions::jerk`]).
     pub fn jerk(&self) -> &[V] {
         &self.jerk
     }
@@ -129,7 +131,9 @@ impl<V: Vector> PointMotion<V> {
     }
 
     /// Returns the coordinate n · r of the point along a global direction n, with its derivatives.
-    /// Its extremes can be searched. \[m\]
+    /// \[m\]
+    ///
+    /// You can pass a closure with this call to [`System::extremes`](crate::System::extremes).
     pub fn along(&self, n: impl Into<V>) -> Quantity {
         let n = n.into();
         let dot = |x: &V| (0..V::NAMES.len()).map(|k| n.component(k) * x.component(k)).sum();
@@ -138,7 +142,7 @@ impl<V: Vector> PointMotion<V> {
         Quantity::new("along", &self.unit(0), (&self.times, &self.units), orders)
     }
 
-    /// Returns |v| over time. \[m/s\]
+    /// Returns the speed |v| over time. \[m/s\]
     pub fn speed(&self) -> Series {
         Series::new(
             "speed",
@@ -148,7 +152,7 @@ impl<V: Vector> PointMotion<V> {
         )
     }
 
-    /// Returns |a| over time. \[m/s²\]
+    /// Returns the magnitude |a| of the acceleration over time. \[m/s²\]
     pub fn acceleration_magnitude(&self) -> Series {
         Series::new(
             "acceleration",
@@ -158,7 +162,9 @@ impl<V: Vector> PointMotion<V> {
         )
     }
 
-    /// Returns |ȧ| over time. It is empty unless the run computed the jerk. \[m/s³\]
+    /// Returns the magnitude |ȧ| of the jerk over time. \[m/s³\]
+    ///
+    /// The series is empty if the run did not compute the jerk.
     pub fn jerk_magnitude(&self) -> Series {
         let times = if self.jerk.is_empty() { &[] } else { &self.times[..] };
         Series::new(
@@ -169,8 +175,9 @@ impl<V: Vector> PointMotion<V> {
         )
     }
 
-    /// Returns each component of r, v and a over time, and of the jerk if it is known, with the
-    /// names x, y, x', y', x'', ….
+    /// Returns each component of r, v and a over time, with the names x, y, x', y', x'', ….
+    ///
+    /// The list contains the jerk too, if the run computed the jerk.
     pub fn components(&self) -> Vec<Series> {
         let orders = [&self.r, &self.v, &self.a, &self.jerk].into_iter().zip(MARKS).zip(0..);
         let component = |((all, mark), order): ((&Vec<V>, &'static str), usize), k: usize| {

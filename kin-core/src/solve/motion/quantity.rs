@@ -1,4 +1,4 @@
-//! One quantity over time with its derivatives.
+//! Stores one quantity over time with its derivatives.
 
 use super::{Motion, Series};
 use crate::model::error::{Error, Result};
@@ -14,8 +14,8 @@ pub struct Quantity {
     pub rate: Series,
     /// ẍ   \[m/s² or rad/s²\]
     pub second_rate: Series,
-    /// x⃛. It is empty unless the run computed the jerk ([`crate::SolverOptions::jerk`]). \[m/s³ or
-    /// rad/s³\]
+    /// x⃛ \[m/s³ or rad/s³\]; empty if the run did not compute the jerk
+    /// ([`crate::SolverOptions::jerk`]).
     pub third_rate: Series,
 }
 
@@ -28,7 +28,7 @@ pub struct QuantityValues {
     pub rate: Vec<f64>,
     /// ẍ
     pub second_rate: Vec<f64>,
-    /// x⃛; empty if it is not known.
+    /// x⃛; empty if x⃛ is unknown.
     pub third_rate: Vec<f64>,
 }
 
@@ -86,12 +86,15 @@ impl Quantity {
 }
 
 impl Motion {
-    /// Creates a quantity from `values` computed from this motion, with x in `unit`. Kin does not
-    /// check the derivatives.
+    /// Creates a quantity from `values` that the program computed from this motion, with x in
+    /// `unit`.
     ///
-    /// A measure that is a function of a motion ([`crate::results::Measure`]) uses it.
+    /// Kin does not check that the derivatives match the values.
     ///
-    /// Errors: a list without one number for each time, a number that is infinite or NaN.
+    /// Call this function in a measure that is a function of a motion
+    /// ([`crate::results::Measure`]).
+    ///
+    /// Errors: a list does not have one number for each time; a number is infinite or NaN.
     pub fn quantity(&self, name: &str, unit: &str, values: QuantityValues) -> Result<Quantity> {
         let QuantityValues { value, rate, second_rate, third_rate } = values;
         let orders = [value, rate, second_rate, third_rate];

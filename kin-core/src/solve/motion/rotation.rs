@@ -1,4 +1,4 @@
-//! Angular velocity and acceleration of spatial bodies over time.
+//! Computes the angular velocity and acceleration of spatial bodies over time.
 
 use super::{Motion, Series};
 use crate::model::coordinates::{SpatialBody, Target};
@@ -25,8 +25,8 @@ impl Motion {
     /// Returns the angular velocity and acceleration of a spatial body over time, in global
     /// components. \[rad/s, rad/s²\]
     ///
-    /// Kin computes them from the Euler parameters: ω = 2 (e0 ė − ė0 e + e × ė),  α = 2 (e0 ë − ë0
-    /// e + e × ë).
+    /// Kin computes both vectors from the Euler parameters: ω = 2 (e0 ė − ė0 e + e × ė), α = 2 (e0
+    /// ë − ë0 e + e × ë).
     ///
     /// For a planar body use θ̇ and θ̈ of [`Motion::coordinate`].
     ///
@@ -60,7 +60,8 @@ impl Motion {
         Ok(all)
     }
 
-    /// Adds ω and α of a spatial body to the file, as `NAME.omega_x`, …, `NAME.alpha_z`.
+    /// Adds the angular velocity ω and acceleration α of a spatial body to the motion, as the
+    /// columns `NAME.omega_x`, …, `NAME.alpha_z`.
     ///
     /// Errors: the body belongs to another mechanism, the name is empty or taken.
     pub fn add_rotation(&mut self, name: &str, body: impl Into<SpatialBody>) -> Result<()> {
@@ -88,18 +89,19 @@ impl RotationMotion {
         &self.times
     }
 
-    /// Returns the angular velocity ω. \[rad/s\]
+    /// Returns the angular velocity ω at each time. \[rad/s\]
     pub fn omega(&self) -> &[Vec3] {
         &self.omega
     }
 
-    /// Returns the angular acceleration α = ω̇. \[rad/s²\]
+    /// Returns the angular acceleration α = ω̇ at each time. \[rad/s²\]
     pub fn alpha(&self) -> &[Vec3] {
         &self.alpha
     }
 
-    /// Returns α̇. It is empty unless the run computed the jerk ([`crate::SolverOptions::jerk`]).
-    /// \[rad/s³\]
+    /// Returns the derivative α̇ of the angular acceleration at each time. \[rad/s³\]
+    ///
+    /// The slice is empty if the run did not compute the jerk ([`crate::SolverOptions::jerk`]).
     pub fn alpha_rate(&self) -> &[Vec3] {
         &self.alpha_rate
     }
@@ -130,7 +132,7 @@ impl RotationMotion {
         self.units.text(Unit::Radian, order)
     }
 
-    /// Returns |ω| over time. \[rad/s\]
+    /// Returns the magnitude |ω| of the angular velocity over time. \[rad/s\]
     pub fn speed(&self) -> Series {
         Series::new(
             "angular speed",
@@ -140,7 +142,9 @@ impl RotationMotion {
         )
     }
 
-    /// Returns ω · h/|h| over time, with h in the frame of the components. \[rad/s\]
+    /// Returns the angular velocity ω · h/|h| about the direction h over time. \[rad/s\]
+    ///
+    /// The direction h has components in the same frame as ω.
     ///
     /// For the speed of a shaft about its axis write `in_body().about(axis)`.
     pub fn about(&self, h: impl Into<Vec3>) -> Series {

@@ -18,16 +18,16 @@ const SHOWN: usize = 4;
 /// radian, counts as unmoved. Users draw with about three digits. \[-\]
 const THERE: f64 = 1e-3;
 
-/// The distance of a body's or angle's first position from its guess.
+/// The distance between the guess and the first position of a body or a scalar angle.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Displacement {
-    /// The body or scalar coordinate.
+    /// The name of the body or scalar coordinate.
     pub name: String,
-    /// The displacement; `None` if the guess does not say where the body is, as for a link given by
-    /// its length alone. \[m\]
+    /// The distance between guess and first position; `None` if the user gave no position, as for a
+    /// link with only a length. \[m\]
     pub moved: Option<f64>,
-    /// The rotation; for a spatial body it is between 0 and π. \[rad\]
+    /// The rotation between guess and first position; between 0 and π for a spatial body. \[rad\]
     pub turned: Option<f64>,
     /// The probable cause, if the first position is further from the guess than usual; otherwise
     /// `None`.
@@ -38,12 +38,12 @@ impl Motion {
     /// Returns a summary of the motion in a few lines.
     ///
     /// The first line contains the counts, the Newton steps per time and the largest residual. The
-    /// first position counts separately, because the run finds it from a guess. The next line
-    /// describes the engine, if a program computed times or could not exist ([`Motion::engine`],
-    /// [`Motion::why_not_compiled`]). If the first position is far from the drawn one, the next
-    /// lines list the bodies, the worst first ([`Motion::displaced`]), with a hint at a probable
-    /// mistake. The last lines are the warnings among the events
-    /// ([`crate::results::EventKind::is_warning`]).
+    /// Newton steps of the first position are separate, because the run finds the first position
+    /// from a guess. The next line describes the engine, if a program computed times or Kin could
+    /// not compile a program ([`Motion::engine`], [`Motion::why_not_compiled`]). If the first
+    /// position is far from the drawn position, the next lines list the bodies, the worst first
+    /// ([`Motion::displaced`]), with a hint at a probable mistake. The last lines are the warnings
+    /// among the events ([`crate::results::EventKind::is_warning`]).
     pub fn summary(&self) -> String {
         let mut text = self.counts() + &self.by_engine();
         let displaced = self.displaced();
@@ -117,17 +117,20 @@ impl Motion {
         )
     }
 
-    /// Returns the largest |C| relative to the norm of its row, for redundant equations that may
-    /// contradict each other ([`crate::SolverOptions::allowed_misfit`]). \[-\]
+    /// Returns the largest |C_i| relative to the norm of its row, if the options allow redundant
+    /// equations to contradict each other ([`crate::SolverOptions::allowed_misfit`]). \[-\]
     ///
-    /// For a row that is a length the norm is the mechanism's size. The result is 0 if all
+    /// For an equation of lengths, the norm is the mechanism's size. The result is 0 if all
     /// equations are satisfied.
     pub fn misfit(&self) -> f64 {
         self.misfit
     }
 
-    /// How far each body and bare angle is at the first time from its guess, by its share of the
-    /// mechanism's size, or by radians, the worst first. Bodies that are there are left out.
+    /// Returns the distance between the guess and the first position of each body and scalar angle,
+    /// the largest first.
+    ///
+    /// The order compares distances as shares of the mechanism's size with angles in radians. The
+    /// list omits bodies that are at their guess.
     pub fn displaced(&self) -> Vec<Displacement> {
         self.displacements().into_iter().map(|(body, _)| body).collect()
     }

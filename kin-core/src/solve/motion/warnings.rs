@@ -1,18 +1,20 @@
-//! The warnings of a motion, from all that knows some.
+//! Collects the warnings of a motion.
 
 use super::Motion;
 use crate::model::motion::{Warning, WarningKind};
 use crate::solve::first_run::MOST;
 
 impl Motion {
-    /// Slips that people make in their first run, and that still give a motion: numbers that look
-    /// like degrees, a first position far from the drawn one, a start near a singular position, a
-    /// table that ends before the run. Each warning has a kind, the names that it concerns, and its
-    /// sentences. At most four of a kind.
+    /// Returns the warnings of the motion: common mistakes with which a run still succeeds.
     ///
-    /// The list is made when it is first read. A case of a sweep has warnings of the drawn position
-    /// and of tables alone. Motions that were measured, poses between two times, and the later
-    /// parts of a run in parts begin no run: they have those of tables alone.
+    /// Kin warns of numbers that look like degrees, a first position far from the drawn position, a
+    /// start near a singular position, and a table that ends before the run. Each warning has a
+    /// kind, the names of the parts that it concerns, and a text. The list contains at most four
+    /// warnings of each kind.
+    ///
+    /// Kin computes the list when you first call this method. A case of a sweep has only warnings
+    /// about the drawn position and about tables. Measured motions, poses between two times, and
+    /// the later parts of a run in parts have only warnings about tables.
     ///
     /// ```
     /// # use kin::prelude::*;

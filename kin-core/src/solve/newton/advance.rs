@@ -1,6 +1,8 @@
-//! Moves from one solved time to the next: in one step of time if that works, otherwise in smaller
-//! steps, which grow again. The step-by-step solver and redundant mechanisms share this loop.
-//! Compiled programs make whole steps only; if these fail, this loop continues.
+//! Moves from one solved time to the next: in one step of time if this step succeeds, otherwise in
+//! smaller steps, which grow again.
+//!
+//! The step-by-step solver and redundant mechanisms share this loop. Compiled programs make only
+//! whole steps. If a whole step of a program fails, this loop continues.
 
 use super::Outcome;
 use super::options::resolution;

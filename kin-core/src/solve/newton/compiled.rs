@@ -1,10 +1,11 @@
-//! Runs in which a compiled program computes most times, many at once. Every time is tested as
-//! single steps are.
+//! Computes runs in which a compiled program computes most times, many times at once.
+//!
+//! Kin tests every time in the same way as a single step.
 //!
 //! Single steps and blocks of the program alternate. A block begins at a single step, for which the
-//! program must give the same q, q̇ and q̈. It ends at another single step, which is tested from
-//! the block's last time. Any objection returns the rest of the block to the step-by-step solver.
-//! So halving, toggles, change points and errors have one implementation.
+//! program must give the same q, q̇ and q̈. The block ends at another single step, which Kin tests
+//! from the block's last time. If a test fails, the step-by-step solver computes the rest of the
+//! block. So halving, toggles, change points and errors have one implementation.
 
 mod block;
 mod cases;

@@ -1,5 +1,7 @@
-//! Rotates driven bodies to their drivers before anything else. A motor that has made 300
-//! revolutions when the run begins should not cause 300 revolutions of careful steps.
+//! Rotates driven bodies to their drivers before the search for the first position.
+//!
+//! If a motor has made 300 revolutions when the run begins, Kin does not follow the 300 revolutions
+//! in small steps.
 
 use super::{Newton, TURN};
 use crate::model::units::Unit;

@@ -1,16 +1,18 @@
-//! The first position: from a rough guess to C(q, t) = 0, in the preferred assembly. The phases
-//! are:
+//! Finds the first position: from a rough guess to C(q, t) = 0, in the preferred assembly.
 //!
-//! 1. Driven bodies are rotated to their drivers.
-//! 2. Without preferences, damped Newton steps follow.
-//! 3. If they fail, or if an assembly is preferred, damped least squares on C (Levenberg–Marquardt,
-//!    which needs no regular C_q) follow. The preferred coordinates have a target whose weight
-//!    falls to zero. Newton's method ends this phase.
-//! 4. If this fails too, the same phases run from a few other starts, which are the same in every
-//!    run.
+//! The phases are:
 //!
-//! A guess that satisfies every equation is an assembly, even if it is singular. Kin reports it as
-//! singular and takes another assembly only if that is nearer to preferred values.
+//! 1. Kin rotates driven bodies to their drivers.
+//! 2. If no assembly is preferred, Kin makes damped Newton steps.
+//! 3. If the Newton steps fail, or if an assembly is preferred, Kin minimises |C|² by damped least
+//!    squares (Levenberg–Marquardt), which does not need a regular C_q. The preferred coordinates
+//!    have a target whose weight decreases to zero. Newton's method ends this phase.
+//! 4. If the least squares fail too, Kin repeats the phases from a few other starts, which are the
+//!    same in every run.
+//!
+//! A guess that satisfies every equation is an assembly, even if the position is singular. Kin
+//! reports such a position as singular, and uses another assembly only if the other assembly is
+//! nearer to preferred values.
 
 use super::{Failure, Follow, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};

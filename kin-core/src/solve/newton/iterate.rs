@@ -1,4 +1,5 @@
-//! Newton's iteration: one loop for single positions and for more equations than coordinates.
+//! Implements Newton's iteration in one loop, for single positions and for mechanisms with more
+//! equations than coordinates.
 
 mod greater;
 pub(super) mod single;

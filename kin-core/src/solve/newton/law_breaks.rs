@@ -1,5 +1,6 @@
-//! Finds the breaks of laws that a run crosses. Only the law itself shows what happens between two
-//! times.
+//! Finds the breaks of laws that a run crosses.
+//!
+//! Kin queries the laws, because positions at two times do not show a break between them.
 
 use std::f64::consts::{PI, TAU};
 

@@ -1,28 +1,29 @@
-//! How positions are solved: the stop rule and the means, and the report of what was done.
+//! Defines the options with which Kin solves positions, such as the stop rule and the engine.
 
 use crate::model::error::{Error, Result};
 use crate::model::loads::LoadSharing;
 use crate::numbers::lanes::limit;
 use crate::solve::assembly::{AssemblyOptions, SearchOptions};
 
-/// When Newton's iteration has converged.
+/// The rule by which Newton's iteration has converged.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Stop {
-    /// The scaled residual is at most `tolerance` *and* so is the scaled next correction C_q⁻¹ C,
-    /// with the matrix at hand.
+    /// The scaled residual and the scaled next correction C_q⁻¹ C are both at most `tolerance`.
+    /// \[-\]
     ///
-    /// Row i is measured by max_j |∂C_i/∂q_j| s_j and coordinate j by s_j, where s_j is 1 for an
-    /// angle and the typical length of the model for a length: a tolerance of 1e-13 means 1e-13 rad
-    /// and 1e-13 of a lever, in mm as in km. The error of a row that comes from rounding of q
-    /// itself is always allowed; a correction that no longer shrinks while the residual is rounding
-    /// is accepted. Smaller: no better results below 1e-15; larger: fewer steps, errors of that
-    /// size in q and larger ones in q̇ and q̈.   \[-\]
+    /// Kin divides row i by max_j |∂C_i/∂q_j| s_j and coordinate j by s_j. The size s_j is 1 for an
+    /// angle, and the typical length of the model for a length. So a tolerance of 1e-13 means 1e-13
+    /// rad for angles and 1e-13 of the typical length for lengths, in any unit. Kin always allows
+    /// the residual that rounding of q causes. Kin also accepts a correction that no longer
+    /// decreases when the residual is only rounding. A tolerance below 1e-15 does not improve
+    /// results. A larger tolerance saves steps and causes errors of its size in q, and larger
+    /// errors in q̇ and q̈.
     Converged {
         /// The tolerance, default 1e-13.
         tolerance: f64,
     },
-    /// max |C_i| < the bound, rows unscaled as they are written, in the unit of the row: the
-    /// protocol of published comparisons.
+    /// The largest residual max |C_i| of the unscaled rows is below this bound, in the unit of the
+    /// row. Published comparisons of solvers use this rule.
     ResidualOnly(f64),
 }
 
@@ -45,51 +46,57 @@ impl Default for Stop {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct SolverOptions {
-    /// Newton steps at one attempt before it is given up; default 50.
+    /// The largest number of Newton steps in one attempt (default 50).
     pub max_iterations: usize,
-    /// The stop rule.
+    /// The stop rule of Newton's iteration.
     pub stop: Stop,
-    /// True (default): Newton's iteration starts at each time from q + h q̇ + ½ h² q̈ of the time
-    /// before. After three equal steps it starts from a polynomial through all three times, where
-    /// that has been nearer. False: it starts from q of the time before.
+    /// True (default) if Newton's iteration starts from a prediction at each time. The prediction
+    /// is q + h q̇ + ½ h² q̈ of the previous time. After three equal steps the prediction is a
+    /// polynomial through all three times, if this polynomial was nearer at the previous time. If
+    /// false, Newton's iteration starts from q of the previous time.
     pub predict: bool,
-    /// True (default): where Newton's iteration fails, the solver damps it, searches from other
-    /// starts (first time), and approaches in smaller steps of time (later times). False: the run
-    /// fails there, except for what [`SolverOptions::follow`] checks.
+    /// True (default) if the solver tries other ways when Newton's iteration fails. The solver then
+    /// damps the iteration, searches from other starts at the first time, and makes smaller steps
+    /// of time at later times. If false, the run fails at this time, except that
+    /// [`SolverOptions::follow`] may still make smaller steps.
     pub rescue: bool,
-    /// Halvings of one step of time before the run is given up, where steps are rescued and not
-    /// checked; default 12. Times that differ by rounding only are not halved any more.
+    /// The largest number of halvings of one step of time, for runs with `rescue` and
+    /// [`Follow::Unchecked`] (default 12). Kin does not halve a step between times that differ only
+    /// by rounding.
     pub halvings: u32,
-    /// The search for the first position, and the diagnosis where there is none.
+    /// The options of the search for the first position, and of the diagnosis if no first position
+    /// exists.
     pub search: SearchOptions,
-    /// The search for all assemblies ([`crate::System::assemblies`]).
+    /// The options of the search for all assemblies ([`crate::System::assemblies`]).
     pub assemblies: AssemblyOptions,
-    /// True: the run solves for the jerk q⃛ too, C_q q⃛ = −g‴(0) with
-    /// g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the matrix of q̇ and q̈. Default false.
+    /// True if a run also solves for the jerk q⃛ (default false). The equation is C_q q⃛ = −g‴(0)
+    /// with g(s) = C(q + s q̇ + ½ s² q̈, t + s), with the same matrix as for q̇ and q̈.
     pub jerk: bool,
-    /// The misfit that redundant equations may have, as a share of the norm of each equation: of
-    /// the mechanism's size where a row is a length. The default 0 allows rounding (1e-10) and no
-    /// more. Parts of ordinary accuracy, such as an imported assembly, need more. Positions are
-    /// then those of least squares, and [`crate::Motion::misfit`] reports the misfit.   \[-\]
+    /// The misfit that redundant equations may have, as a share of the norm of each equation
+    /// (default 0). \[-\] For an equation of lengths, the norm is the mechanism's size. The default
+    /// 0 allows only rounding (1e-10). Mechanisms with rounded dimensions, such as an imported
+    /// assembly, need a larger value. With a larger value positions are least-squares solutions,
+    /// and [`crate::Motion::misfit`] reports the misfit.
     pub allowed_misfit: f64,
     /// The check that each step stays on its branch, and the branch that a run takes where branches
-    /// cross; default [`Follow::Smooth`].
+    /// cross (default [`Follow::Smooth`]).
     pub follow: Follow,
-    /// The engine that computes the times of a run, the cases of a sweep, and forces; default
-    /// [`Engine::Auto`]. [`crate::Solver::run_in_parts`] goes step by step unless
-    /// [`Engine::Compiled`] is set. Single positions do so unless [`crate::System::compile`] was
-    /// called.
+    /// The engine that computes the times of a run, the cases of a sweep, and forces (default
+    /// [`Engine::Auto`]). With the default, [`crate::Solver::run_in_parts`] uses the step-by-step
+    /// solver. Single positions use the step-by-step solver unless the program has called
+    /// [`crate::System::compile`].
     pub engine: Engine,
-    /// The rule by which redundant constraints share forces; default: none.
+    /// The rule by which redundant constraints share forces (default [`LoadSharing::NotGiven`]).
     pub sharing: LoadSharing,
-    /// Bytes that the motion of a run may take, three or four numbers a coordinate and time;
-    /// default 2³⁰ (1 GiB). A run that needs more is refused before it begins;
-    /// [`crate::Solver::run_in_parts`] needs the memory of one part.   \[B\]
+    /// The largest memory of the motion of a run, in bytes (default 2³⁰, 1 GiB). \[B\] A motion has
+    /// three or four numbers of 8 bytes for each coordinate and time. A run that needs more memory
+    /// returns an error before it begins. [`crate::Solver::run_in_parts`] needs only the memory of
+    /// one part.
     pub memory: usize,
-    /// How much work a run may spend on smaller steps of time, which are no results, and after a
-    /// failure on its diagnosis, as a multiple of the usual; default 1, some seconds' worth. A run
-    /// that needs more ends with [`crate::Error::CannotFollow`]. The work is counted, not timed, so
-    /// a run ends alike on each machine.   \[-\]
+    /// The largest work of a run on smaller steps of time and on a diagnosis after a failure, as a
+    /// multiple of the usual limit (default 1). \[-\] The usual limit takes some seconds. A run
+    /// that needs more work ends with [`crate::Error::CannotFollow`]. Kin counts operations and not
+    /// time, so a run ends at the same step on each machine.
     pub effort: f64,
 }
 
@@ -97,62 +104,66 @@ pub struct SolverOptions {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum Engine {
-    /// Uses the compiled program where it is possible and faster, else the step-by-step solver. The
-    /// program is faster from about a thousand times on, or from 32 after a call of
-    /// [`crate::System::compile`]. In a sweep the times of all cases count together, if each case
-    /// has at least 24.
+    /// Uses the compiled program if possible and faster, otherwise the step-by-step solver.
     ///
-    /// Runs without prediction, runs with [`Stop::ResidualOnly`], and all runs on a machine without
-    /// AVX2 and FMA, AVX-512 or Neon go step by step. [`crate::Motion::engine`] says how many times
-    /// the program computed, [`crate::Motion::why_not_compiled`] why it did not.
+    /// The program is faster for runs of at least about 1000 times, or at least 32 times after a
+    /// call of [`crate::System::compile`]. In a sweep Kin counts the times of all cases together,
+    /// if each case has at least 24 times.
+    ///
+    /// Three kinds of runs use the step-by-step solver: runs without prediction, runs with
+    /// [`Stop::ResidualOnly`], and all runs on a machine without AVX2 and FMA, AVX-512 or Neon.
+    /// [`crate::Motion::engine`] says how many times the program computed.
+    /// [`crate::Motion::why_not_compiled`] says why the run used no program.
     ///
     /// Kin keeps the program for the next run that begins at the same time and position, until you
     /// set a value of the system.
     #[default]
     Auto,
-    /// Evaluates constraint by constraint, one time after the other.
+    /// Evaluates the constraints one by one, one time after the other.
     StepByStep,
     /// Computes many times at once by one program of all equations ([`crate::System::compile`]).
+    ///
     /// Each time passes the same checks as in the step-by-step solver. If a check fails, the
-    /// step-by-step solver continues from the last accepted time. Numbers agree to the tolerance of
-    /// [`SolverOptions::stop`], not to the last digit.
+    /// step-by-step solver continues from the last accepted time. The results of both engines agree
+    /// to the tolerance of [`SolverOptions::stop`], not to the last digit.
     ///
-    /// Where an equation takes another branch of an `if` of coordinates, or a `floor` of
-    /// coordinates jumps, the step-by-step solver continues. Kin evaluates a function of time that
-    /// only rustc can read once for each time.
+    /// If an equation takes another branch of an `if` of coordinates, or if a `floor` of
+    /// coordinates jumps, the step-by-step solver continues. If only rustc can read a function of
+    /// time, Kin evaluates the function once for each time.
     ///
-    /// Errors: a mechanism that cannot be compiled. The error names why: more equations than
-    /// coordinates, an equation that Kin does not know as a formula, or a function of coordinates
-    /// that only rustc can read.
+    /// Errors: Kin cannot compile the mechanism, because it has more equations than coordinates, an
+    /// equation without a formula, or a function of coordinates that only rustc can read. The error
+    /// names the reason.
     Compiled,
 }
 
 /// How a run follows its branch.
 ///
-/// If a run cannot show that a step stays on its branch, it takes smaller steps in between, which
-/// it does not keep. So a coarse grid gives the same motion as a fine one.
+/// If a run cannot show that a step stays on its branch, the run makes smaller steps, which are not
+/// part of the motion. So a coarse grid of times gives the same motion as a fine grid.
 ///
 /// * *Drives:* Kin evaluates the bounds of each drive between both times
-///   ([`crate::extend::LawFunction::over`]), so it follows a motor that goes out and comes back
-///   within a step. Without bounds Kin samples at the eighths of the step, and does not see what
-///   happens between the samples. This concerns user-defined laws without bounds, and constraints
-///   on the dual route or by hand that contain time.
-/// * *Work:* a run takes at most ten million smaller steps times coordinates, some seconds' worth,
-///   and twenty for each of its times. A run that needs more ends with
-///   [`crate::Error::CannotFollow`]. Then give closer times or a larger [`SolverOptions::effort`].
-/// * *Singular positions:* a toggle ends the run with [`crate::Error::Toggle`] at its time. A run
-///   passes change points, and [`crate::Motion::singular_positions`] lists them. With redundant
-///   equations Kin checks steps by prediction alone, and the run ends at a singular position.
+///   ([`crate::extend::LawFunction::over`]), so Kin follows a motor that moves forward and returns
+///   within a step. If a drive has no bounds, Kin samples at the eighths of the step and can miss a
+///   motion between the samples. User-defined laws without bounds, and constraints with time that
+///   are hand-written or on the dual route, have no bounds.
+/// * *Work:* the number of smaller steps times the number of coordinates is at most ten million,
+///   which takes some seconds. In addition, a run may make twenty smaller steps for each of its
+///   times. A run that needs more steps ends with [`crate::Error::CannotFollow`]. In this case give
+///   closer times or a larger [`SolverOptions::effort`].
+/// * *Singular positions:* a toggle ends the run with [`crate::Error::Toggle`]. A run passes change
+///   points, and [`crate::Motion::singular_positions`] lists them. With redundant equations Kin
+///   checks steps by prediction alone, and the run ends at a singular position.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
-    /// Accepts each position that Newton's method finds, without a check. On a coarse grid this can
-    /// be a position of another assembly.
+    /// Accepts each position that Newton's method finds, without a check. On a coarse grid the
+    /// position can belong to another assembly.
     Unchecked,
-    /// Checks each step. At a change point the run continues smoothly (q̇ and q̈ do not jump).
+    /// Checks each step, and continues smoothly at change points (q̇ and q̈ do not jump).
     #[default]
     Smooth,
-    /// Checks each step. At the change points with these numbers the run takes the other branch;
-    /// they count from 0 in the order of the run.
+    /// Checks each step, and takes the other branch at the change points with these indices. The
+    /// indices count from 0 in the order of the run.
     OtherBranchAt(Vec<usize>),
 }
 
@@ -185,7 +196,7 @@ impl Default for SolverOptions {
 }
 
 impl SolverOptions {
-    /// Returns the defaults.
+    /// Returns the default options.
     pub fn new() -> Self {
         Self::default()
     }

@@ -1,9 +1,10 @@
 //! Predicts the next position from the last solutions.
 //!
 //! The short formula is q + h q̇ + ½ h² q̈ from the last solution. After three equal steps of time
-//! the long formula is available: the polynomial through q̇ and q̈ at all three times (Hermite),
-//! integrated over the step, with an error of h⁷ instead of h³. If the grid is too coarse, the
-//! short formula is better. The formula that was nearer at the last time is used for the next.
+//! Kin can use the long formula: the polynomial through q̇ and q̈ at all three times (Hermite),
+//! integrated over the step. The error of the long formula is proportional to h⁷, and the error of
+//! the short formula to h³. If the grid is too coarse, the short formula is better. Kin uses the
+//! formula that was nearer at the last time.
 
 use wide::f64x4;
 

@@ -1,4 +1,4 @@
-//! Velocities, accelerations and jerks, with the matrix of the last check.
+//! Computes velocities, accelerations and jerks with the matrix of the last convergence check.
 
 use super::{Failure, Newton};
 use crate::numbers::padded;

@@ -1,9 +1,11 @@
-//! Mechanisms with more equations than coordinates, all of which can be satisfied: the third crank
-//! of a parallelogram, a spatial four-bar of five-row revolutes, a slider in two guides.
+//! Solves mechanisms with more equations than coordinates, all of which can be satisfied.
 //!
-//! Kin solves as many independent equations as there are coordinates and checks the others
-//! ([`crate::linear::Independent`]). If equations may contradict each other a little
-//! ([`Options::closure`]), it solves all of them by least squares.
+//! Examples are the third crank of a parallelogram, a spatial four-bar of five-row revolutes, and a
+//! slider in two guides.
+//!
+//! Kin solves as many independent equations as the mechanism has coordinates, and checks the other
+//! equations ([`crate::linear::Independent`]). If the options allow a misfit
+//! ([`Options::closure`]), Kin solves all equations by least squares.
 
 mod begin;
 mod errors;

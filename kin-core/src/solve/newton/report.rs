@@ -1,4 +1,5 @@
-//! Reports on the present point: its solution, its worst row, or the reason why it is no solution.
+//! Reports on the present point: its solution, its worst row, or the reason why the point is not a
+//! solution.
 
 use super::{Failure, Newton, Outcome, Report};
 use crate::model::error::Error;

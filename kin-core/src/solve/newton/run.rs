@@ -1,4 +1,4 @@
-//! A run from its first time to its last one, in one motion or in parts.
+//! Computes a run from its first time to its last time, in one motion or in parts.
 
 use super::law_breaks::LawBreaks;
 use super::stepper::Stepper;

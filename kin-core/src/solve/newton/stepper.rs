@@ -1,5 +1,5 @@
-//! The step-by-step solver: Newton's method from a prediction, and a test whether the step stays on
-//! its branch.
+//! Implements the step-by-step solver: Newton's method from a prediction, and a test that the step
+//! stays on its branch.
 
 mod beyond;
 mod resumed;

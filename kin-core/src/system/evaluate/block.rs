@@ -1,4 +1,4 @@
-//! One constraint in a system, with the places of its numbers.
+//! Stores one constraint in a system, with the places of its numbers.
 
 use std::ops::Range;
 

@@ -1,4 +1,4 @@
-//! The effect of time alone on a constraint, with constant coordinates.
+//! Computes the effect of time alone on a constraint, with constant coordinates.
 
 use std::collections::HashMap;
 

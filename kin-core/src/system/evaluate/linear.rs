@@ -1,5 +1,7 @@
-//! Rows that are always linear in the coordinates, as those of most drivers and of straight guides:
-//! C = C_q q + C(0, t). Their constraints are evaluated only when the time changes.
+//! Evaluates rows that are always linear in the coordinates: C = C_q q + C(0, t).
+//!
+//! Examples are the rows of most drivers and of straight guides. Kin evaluates these constraints
+//! only when the time changes.
 
 use std::ops::Range;
 

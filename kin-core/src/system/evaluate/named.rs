@@ -1,4 +1,4 @@
-//! Rows by name, and errors that name them.
+//! Names the rows of a system in errors.
 
 use super::{Bad, Block, Equations, Instant};
 use crate::model::blame::{Culprit, Term};

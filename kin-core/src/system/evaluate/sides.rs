@@ -1,4 +1,4 @@
-//! The right sides of a whole system, for velocities, accelerations and the jerk.
+//! Evaluates the right sides of a whole system, for velocities, accelerations and the jerk.
 
 use super::linear::Side;
 use super::{Block, Equations, Instant};

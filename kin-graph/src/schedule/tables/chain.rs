@@ -1,5 +1,5 @@
-//! `if … else if …` over one number: chains of selections whose conditions are one test against
-//! other numbers.
+//! Finds chains `if … else if …` over one number: selections whose conditions are the same test
+//! with other numbers.
 
 use std::cmp::Ordering;
 
@@ -8,10 +8,10 @@ use crate::{Comparison, Graph, Input, Node, Op};
 /// Chains of fewer pieces stay as they are.
 const FEWEST: usize = 4;
 
-/// A comparison of something with a number that is given before the program runs.
+/// A comparison of a node with a number that is known before the program runs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Test {
-    /// True if it must not hold.
+    /// True if the comparison must be false.
     pub negated: bool,
     pub comparison: Comparison,
     /// The other side, which is the same one for every piece, and whether it stands on the left.
@@ -40,12 +40,12 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// The values of all pieces.
+    /// Returns the values of all pieces.
     pub fn values(&self) -> Vec<Node> {
         self.steps.iter().map(|step| step.value).chain([self.last]).collect()
     }
 
-    /// A chain by the same conditions with other values.
+    /// Builds a chain with the same conditions and other values.
     pub fn with(&self, g: &mut Graph, values: &[Node]) -> Node {
         let Some((&last, values)) = values.split_last() else { return self.last };
         self.steps.iter().zip(values).rev().fold(last, |rest, (step, &value)| {
@@ -55,8 +55,7 @@ impl Chain {
     }
 }
 
-/// The number of selections one in another below each node, by its number; none where no chain is
-/// long enough.
+/// Returns the number of nested selections below each node, or `None` if no chain is long enough.
 pub fn depths(g: &Graph, nodes: &[Node]) -> Option<Vec<usize>> {
     let mut depths: Vec<usize> = Vec::new();
     let mut deepest = 0;
@@ -70,7 +69,7 @@ pub fn depths(g: &Graph, nodes: &[Node]) -> Option<Vec<usize>> {
     (deepest + 1 >= FEWEST).then_some(depths)
 }
 
-/// The chain that begins with a node, if it is long enough.
+/// Returns the chain that begins with a node, if the chain is long enough.
 pub fn chain(g: &Graph, root: Node, depths: &[usize]) -> Option<Chain> {
     let mut chain = Chain { steps: Vec::new(), last: root };
     while let Op::Select(condition, a, b) = g.op(chain.last) {
@@ -111,7 +110,7 @@ fn tests(g: &Graph, condition: Node, negated: bool) -> Option<Tests> {
     }
 }
 
-/// True if a node is a number that is known before the program runs.
+/// Returns true if a node is a number that is known before the program runs.
 pub fn is_given(g: &Graph, node: Node) -> bool {
     matches!(g.op(node), Op::Constant(_) | Op::Input(Input::Parameter(_) | Input::Timed(_)))
 }

@@ -1,6 +1,7 @@
-//! Which numbers make a form to a given piece. Numbers that are 0 or 1 have simplified what stood
-//! around them, and signs have gone outwards: a sum fits one of its terms, a product one of its
-//! factors.
+//! Finds the numbers with which a form equals a given piece.
+//!
+//! Numbers that are 0 or 1 have simplified the expressions around them, and signs have moved
+//! outwards. So a sum can match one of its terms, and a product one of its factors.
 
 use super::form::{Core, Form, Kind, Place, Term, peeled};
 use crate::{Graph, Node, Op, is_power_of_two};
@@ -8,7 +9,7 @@ use crate::{Graph, Node, Op, is_power_of_two};
 /// Steps after which a piece does not fit.
 const LONGEST: usize = 4000;
 
-/// The number in a place.
+/// The number for a place.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Value {
     Number(f64),
@@ -38,7 +39,9 @@ pub struct Fitting<'a> {
     left: usize,
 }
 
-/// The numbers by place with which the form is `piece`; a place without one may have any.
+/// Returns the number of each place with which the form equals `piece`.
+///
+/// A place without a number may have any number.
 pub fn fitted(g: &Graph, form: &Form, piece: Node) -> Option<Vec<Option<Value>>> {
     let values = vec![None; form.own.len()];
     let bound = vec![None; form.parts.len()];

@@ -1,4 +1,5 @@
-//! The form of a piece: its expression with places where other pieces may have other numbers.
+//! Describes the form of a piece: its expression with places at which other pieces may have other
+//! numbers.
 
 use std::collections::HashMap;
 
@@ -49,7 +50,9 @@ pub struct Form {
 }
 
 impl Form {
-    /// The form of a node; what `is_same` says is not taken apart.
+    /// Creates the form of a node.
+    ///
+    /// The form does not contain the operands of nodes for which `is_same` is true.
     pub fn new(g: &mut Graph, node: Node, is_same: impl Fn(Node) -> bool) -> Form {
         let mut reading = Reading {
             is_same,
@@ -64,7 +67,7 @@ impl Form {
     }
 }
 
-/// The nodes between some and what all pieces have in common, operands first.
+/// Returns the nodes between `nodes` and the common nodes of all pieces, operands first.
 pub fn inside(g: &Graph, nodes: &[Node], is_same: &impl Fn(Node) -> bool) -> Vec<Node> {
     g.unknown(nodes, is_same)
 }
@@ -155,7 +158,7 @@ impl<F: Fn(Node) -> bool> Reading<F> {
     }
 }
 
-/// A node as a number times something, or as a number.
+/// Splits a node into a number and a factor, or returns a number alone.
 pub fn peeled(g: &Graph, mut node: Node) -> (f64, Option<Node>) {
     let mut factor = 1.0;
     loop {

@@ -1,11 +1,11 @@
 //! Tables of pieces: `if x < x_1 { a_1 + b_1 x } else if x < x_2 { a_2 + b_2 x } else …` is one
 //! expression of numbers that are looked up, a + b x, with a = `if x < x_1 { a_1 } else …`.
 //!
-//! A spline of two hundred pieces is then computed, emitted and compiled as one piece; its
-//! derivatives, which are chains by the same conditions, find their numbers in the same row. The
-//! pieces need not look alike: what numbers that are 0, 1, or negative have simplified away fits
-//! the form of the longest one (`fitting`). The graph that is differentiated, bounded and shown
-//! stays as it is; this is for computing numbers.
+//! So Kin computes, emits and compiles a spline of two hundred pieces as one piece. The derivatives
+//! of the spline are chains with the same conditions, so they use the same row. The pieces need not
+//! have the same form: a piece that numbers such as 0, 1 or −1 have simplified also matches the
+//! form of the longest piece (`fitting`). Tables are only for the computation of numbers. They do
+//! not change the graph that Kin differentiates, bounds and shows.
 
 mod chain;
 mod fitting;
@@ -28,7 +28,7 @@ const CANDIDATES: usize = 3;
 /// Tables in tables are seen so deep.
 const ROUNDS: usize = 6;
 
-/// Nodes with the values of `outputs`, tables of pieces being one expression each.
+/// Returns nodes with the values of `outputs`, in which each table of pieces is one expression.
 pub fn looked_up(g: &mut Graph, outputs: &[Node]) -> Vec<Node> {
     let mut outputs = outputs.to_vec();
     for _ in 0..ROUNDS {

@@ -1,7 +1,8 @@
 //! Finds the singular position near a solution that rounding cannot distinguish from it.
 //!
-//! Where two solutions coincide, C = 0 already holds within rounding at half of the digits of q. So
-//! the given pose can have full rank although the solution has not.
+//! Where two solutions coincide, C = 0 is already satisfied within rounding when only half of the
+//! digits of q are correct. So the rank can be full at the given pose although it is not full at
+//! the solution.
 
 use crate::linear::{Echelon, LeastSquares, Sparse, dense};
 use crate::system::scaled::{Measures, Model, Point};

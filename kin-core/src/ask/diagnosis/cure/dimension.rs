@@ -1,5 +1,5 @@
-//! The dimensions of a mechanism as a designer knows them, derived from the parameters of its
-//! constraints: lengths of bodies, points, numbers.
+//! Derives the dimensions that a designer uses (lengths of bodies, points, numbers) from the
+//! parameters of constraints.
 
 use crate::model::constraint::{Attached, Constraint};
 use crate::model::layout::Place;
@@ -15,7 +15,7 @@ pub(crate) struct PointAt {
     /// The index of the constraint; `first` is the index of the first parameter with a component.
     pub block: usize,
     pub first: usize,
-    /// Its name in the constraint, such as `u_i`.
+    /// The name of the dimension in the constraint, such as `u_i`.
     pub name: String,
     /// The index of the argument that is its body; `item` is the body's item, `None` for the
     /// ground.

@@ -1,5 +1,6 @@
-//! Finds the lengths that do not fit in a mechanism that cannot close: those of which another value
-//! lets it close and move, the most likely first.
+//! Finds the wrong lengths in a mechanism that cannot close, the most likely one first.
+//!
+//! With another value of such a length the mechanism closes and moves.
 
 use super::super::order;
 use super::super::search_under_way::Search;

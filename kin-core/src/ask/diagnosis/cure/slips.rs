@@ -1,6 +1,7 @@
-//! Mistakes with points: in the wrong order, in the wrong frame or at the wrong end. Kin tests a
-//! mistake only if the numbers suggest it, and reports it only if the mechanism closes and moves
-//! without it.
+//! Finds mistakes with points: points in the wrong order, in the wrong frame or at the wrong end.
+//!
+//! Kin tests a mistake only if the numbers suggest the mistake. Kin reports a mistake only if the
+//! mechanism closes and moves without it.
 
 use super::super::search_under_way::Search;
 use super::dimension::{self, PointAt};

@@ -1,10 +1,10 @@
-//! The second-order test finds the freedoms that exist to first order only, and the distance that
-//! play allows.
+//! Finds the freedoms that exist to first order only, and the distance that play allows, by a
+//! second-order test.
 //!
 //! A motion q + s n + s² w with C_q n = 0 stays on C = 0 to second order only if l · (C_q n)_q n =
 //! 0 for each l with lᵀ C_q = 0 (R. Connelly, W. Whiteley, Second-order rigidity and prestress
-//! stability, SIAM J. Discrete Math. 9, 1996). If a combination of the l makes this quadratic form
-//! of n definite, no direction remains: the structure is rigid, but shaky.
+//! stability, SIAM J. Discrete Math. 9, 1996). If a combination of the l makes the quadratic form l
+//! · (C_q n)_q n definite in n, no direction remains: the structure is rigid, but shaky.
 
 use super::super::examined::Examined;
 use crate::linear::dense;

@@ -20,7 +20,8 @@ const DEEPEST: usize = 40;
 /// The pose of one place of a feature.
 pub(super) struct Covered {
     pub q: Vec<f64>,
-    /// The velocities of the coordinates. They determine the side along which a box is divided.
+    /// The velocities of the coordinates. The velocities determine the side along which Kin divides
+    /// a box.
     pub qd: Vec<f64>,
 }
 

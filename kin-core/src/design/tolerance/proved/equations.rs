@@ -1,4 +1,5 @@
-//! C and its derivatives by coordinates, dimensions and time, over boxes of all of these.
+//! Bounds C and its derivatives by coordinates, dimensions and time, over boxes of coordinates,
+//! dimensions and times.
 
 use kin_graph::{
     Formula, Graph, Input, LeafUse, Node, Op, Source, evaluate, evaluate_along, evaluate_beyond,

@@ -1,23 +1,23 @@
-//! Proved worst cases: bounds of a feature over all mechanisms whose dimensions are within their
+//! Proves worst cases: bounds of a feature over all mechanisms whose dimensions are within their
 //! tolerances.
 //!
 //! # What a proof shows
 //! At each point of the box of tolerances, and at each time of the spans, the mechanism has one
-//! position. It is the continuation of the motion to these dimensions: continuous, without a
-//! singular position between. `low` and `high` are bounds of the feature over all of these
-//! positions. For an extreme the bound is the largest (smallest) value within a span of time around
-//! it. At the ends of the span the velocity has the signs of a rise and a fall, so all mechanisms
-//! have their extreme inside.
+//! position. This position continues the motion to the dimensions of the point, without a singular
+//! position on the way. `low` and `high` are bounds of the feature over all of these positions. For
+//! an extreme the bound is the largest (smallest) value within a span of time around the extreme.
+//! The measure rises at one end of the span and falls at the other end, so all mechanisms have
+//! their extreme inside the span.
 //!
 //! # How
 //! * **A sheet** (`sheet.rs`) is the position over a box as q + S Δ and a remainder of second
-//!   order, by Krawczyk's test. So bounds are exact to first order.
-//! * **A box without a sheet is bisected** along the dimension or time with which coordinates move
-//!   most (`cover.rs`). The halves must be one solution where they meet. A box without a sheet
-//!   after 40 bisections ends the proof; the error says where.
-//! * **The box with the worst bound is bisected** until the bound is near a value that is attained.
+//!   order, by Krawczyk's test. So the bounds are exact to first order.
+//! * **Kin bisects a box without a sheet** along the dimension or time with which coordinates move
+//!   most (`cover.rs`). Where the halves meet, both must have the same solution. If a box has no
+//!   sheet after 40 bisections, the proof fails, and the error names the box.
+//! * **Kin bisects the box with the worst bound** until the bound is near an attained value.
 //!
-//! The proof has the assumptions of proofs of motions ([`crate::ask::proof`]).
+//! The proof makes the same assumptions as proofs of motions ([`crate::ask::proof`]).
 
 mod cover;
 mod equations;
@@ -63,7 +63,7 @@ pub struct Proved {
 }
 
 impl Proved {
-    /// Returns the distance of the further bound from a value. \[unit of the measure\]
+    /// Returns the distance from a value to the bound that is further away. \[unit of the measure\]
     pub fn off(&self, from: f64) -> f64 {
         up((self.high - from).max(from - self.low))
     }

@@ -1,5 +1,5 @@
-//! A sheet: the positions of a mechanism over a box of its dimensions and a span of time, as one
-//! function.
+//! Computes a sheet: the positions of a mechanism over a box of its dimensions and a span of time,
+//! as one function.
 
 use nalgebra::DMatrix;
 

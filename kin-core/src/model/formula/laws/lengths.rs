@@ -1,6 +1,7 @@
-//! Determines which laws of a formula are lengths and which are angles or numbers. It derives the
-//! power of the unit of length of each law from those of the rows and coordinates, because operands
-//! of a sum or a comparison have the same unit.
+//! Determines which laws of a formula are lengths and which are angles or numbers.
+//!
+//! Kin derives the power of the unit of length of each law from the units of the rows and
+//! coordinates, because operands of a sum or a comparison have the same unit.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,4 +1,4 @@
-//! The composition of two laws.
+//! Implements the composition of two laws.
 
 use kin_graph::{Graph, Node};
 

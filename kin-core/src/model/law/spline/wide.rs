@@ -1,5 +1,4 @@
-//! Bounds of a spline over many knots at once, from the points and curvatures of each interval, in
-//! a few operations an interval.
+//! Computes bounds of a spline over many knots at once, with a few operations for each interval.
 
 use super::{Ends, Spline};
 use crate::numbers::enclosure::{Interval, ONE, Series};

@@ -1,4 +1,4 @@
-//! Constraints without known bounds: C at constant q, at the eighths of a step.
+//! Samples C of constraints without known bounds, at constant q and at the eighths of a step.
 
 use super::{Bound, COEFFICIENTS, DRIFT, Drive, EASY, Source, Span};
 use crate::numbers::enclosure::{Interval, ONE, Series};

@@ -1,4 +1,4 @@
-//! Times that a program computes between two single steps.
+//! Computes the times between two single steps with a program.
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -1,5 +1,6 @@
-//! One program for many cases of a system. The numbers that differ between cases are inputs of the
-//! program.
+//! Compiles one program for many cases of a system.
+//!
+//! The numbers that differ between cases are inputs of the program.
 
 use std::sync::Arc;
 

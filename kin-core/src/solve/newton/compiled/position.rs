@@ -1,4 +1,4 @@
-//! Single positions with the compiled program, from nearby coordinates.
+//! Solves single positions with the compiled program, from nearby coordinates.
 
 use std::sync::{Arc, Mutex, PoisonError};
 

@@ -1,5 +1,5 @@
-//! The programs of a system: one for each position at which runs begin, kept with the system until
-//! something in it is set.
+//! Stores the programs of a system, one for each position at which runs begin, until the user sets
+//! a value of the system.
 
 use std::sync::Arc;
 

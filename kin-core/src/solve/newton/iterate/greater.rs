@@ -1,10 +1,10 @@
 //! Selects the branch of a position on a step by a rule that does not depend on the guess.
 //!
 //! Newton's method ends within rounding of the exact position. If a coordinate is on a step of an
-//! equation, rounding decides the branch, and it depends on the guess, the engine, the grid and
-//! other coordinates. So of the branches that are correct within rounding Kin takes the one with
-//! the greater choices: an integer that is reached counts as reached, and a condition at equality
-//! counts as true.
+//! equation, rounding decides the branch, and rounding depends on the guess, the engine, the grid
+//! and other coordinates. If several branches are correct within rounding, Kin uses the branch with
+//! the greater choices: a `floor` at an integer gives this integer, and a condition at equality is
+//! true.
 
 use crate::solve::newton::Newton;
 use crate::system::stop;

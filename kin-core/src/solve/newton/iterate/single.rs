@@ -1,5 +1,4 @@
-//! The iteration of one position with the matrix of a mechanism with as many equations as
-//! coordinates.
+//! Iterates one position of a mechanism with as many equations as coordinates.
 
 use super::{Ending, Iterating};
 use crate::numbers::padded;

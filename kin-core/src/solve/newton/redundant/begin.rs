@@ -1,4 +1,4 @@
-//! The first position of a mechanism with more equations than coordinates.
+//! Finds the first position of a mechanism with more equations than coordinates.
 
 use super::super::Follow;
 use super::super::advance::Effort;

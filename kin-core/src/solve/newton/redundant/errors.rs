@@ -1,4 +1,5 @@
-//! The reasons why a mechanism with more equations than coordinates cannot be solved at a time.
+//! Builds the errors of a mechanism with more equations than coordinates that cannot be solved at a
+//! time.
 
 use crate::model::error::Error;
 use crate::system::System;

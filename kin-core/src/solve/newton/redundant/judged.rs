@@ -1,4 +1,5 @@
-//! Tests steps of redundant mechanisms. A rectangular matrix has no sign of its determinant.
+//! Tests steps of redundant mechanisms by prediction, because a rectangular matrix has no
+//! determinant.
 
 use super::super::Follow;
 use super::Position;

@@ -1,4 +1,4 @@
-//! Newton's iteration on all equations of a redundant mechanism.
+//! Implements Newton's iteration on all equations of a redundant mechanism.
 
 use super::Position;
 use crate::numbers::padded;

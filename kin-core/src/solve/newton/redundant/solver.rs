@@ -1,5 +1,5 @@
-//! Solves more equations than coordinates: a selection of independent ones, or all by least
-//! squares.
+//! Solves more equations than coordinates: a selection of independent equations, or all equations
+//! by least squares.
 
 use super::super::SolverOptions;
 use crate::linear::{Independent, LeastSquares};
