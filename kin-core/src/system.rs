@@ -4,7 +4,7 @@
 mod axes;
 mod cache;
 pub(crate) mod dimensions;
-mod drivers;
+pub(crate) mod drivers;
 pub(crate) mod evaluate;
 pub(crate) mod measures;
 pub(crate) mod parameters;

@@ -104,7 +104,7 @@ impl Bars {
             text(LEFT - 10.0, y + 17.0, "text-anchor=\"end\"", &fitted(&row.name));
             text(LEFT + scale * row.share.max(row.of_variance) + 8.0, y + 17.0, "", &row.number);
         }
-        let key = "narrow bar: share of the variance; blue: the result grows with the dimension, vermilion: the result falls";
+        let key = "narrow bar: fraction of the variance; blue: the result grows with the dimension, vermilion: the result falls";
         text(16.0, height - 10.0, "font-size=\"11\" fill=\"#666\"", key);
         for (k, row) in self.rows.iter().enumerate() {
             let y = TOP + ROW * k as f64;

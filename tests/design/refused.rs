@@ -104,7 +104,7 @@ fn a_constraint_on_the_dual_route() {
     m.add("O", by_dual(revolute(m.ground(), crank, vec2(0.0, 0.0), crank.start()))).unwrap();
     m.add("motor", drive_angle(crank, Law::ramp(1.0))).unwrap();
     let text = said(&m.build().unwrap(), &[0.0, 1.0], "motor.law.rate");
-    assert!(text.contains("of `O`") && text.contains("dual route"), "{text}");
+    assert!(text.contains("of `O`") && text.contains("dual numbers"), "{text}");
 }
 
 /// x |x| / 2 · scale, whose second derivative jumps at 0.

@@ -290,7 +290,7 @@ fn collinear_two_bar_gives_only_to_first_order() {
         "{found}"
     );
     let text = found.to_string();
-    assert!(text.contains("rigid but shaky: `left`, `right`"), "{text}");
+    assert!(text.contains("rigid but shaky: `left` and `right`"), "{text}");
 }
 
 /// Crank and coupler in line: the rocker is at its end, and a motor on it cannot drive.

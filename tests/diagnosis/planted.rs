@@ -62,7 +62,7 @@ fn exchanged_bodies_of_a_plate_and_a_link() {
     let text = told(Fault::Exchanged);
     assert!(
         text.contains(
-            "\n  The points of `D` are exchanged: (0.0100, 0.0400) m for `rod` is a point of"
+            "\n  The points of `D` are exchanged: (0.0100, 0.0400) m belongs to the frame of"
         ),
         "{text}"
     );
@@ -105,7 +105,7 @@ fn second_motor_of_a_six_bar() {
 fn crank_of_a_six_bar_that_is_ten_times_too_long() {
     let text = told(Fault::LongCrank);
     assert!(
-        text.contains("\n  One of these dimensions does not fit: `crank` is 0.300 m long, ")
+        text.contains("\n  One of these dimensions does not fit: `crank` is 0.300 m long")
             && text.contains("Make `crank` at most 0.2"),
         "{text}"
     );

@@ -41,7 +41,7 @@ fn one_verdict_of_a_shaky_structure() {
             "{off}: {said}\n{found}"
         );
         assert_eq!((found.rank, error.diagnosis().unwrap().rank), (5, 5), "{off}: {said}\n{found}");
-        assert!(found.to_string().contains("rigid but shaky: `bar 1`, `bar 2`"), "{found}");
+        assert!(found.to_string().contains("rigid but shaky: `bar 1` and `bar 2`"), "{found}");
         assert!(said.contains("rigid but shaky"), "{said}");
     }
 }

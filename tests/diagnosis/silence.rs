@@ -88,7 +88,7 @@ fn summary_tells_how_far_bodies_are_from_where_they_are_drawn() {
     );
     let text = motion.summary();
     assert!(
-        text.contains("distance of the first position from the drawn position: `")
+        text.contains("distance of the first position from the initial guess: `")
             && !text.contains("warning"),
         "{text}"
     );
@@ -113,7 +113,7 @@ fn degrees_for_radians_are_asked_about() {
     m.add("motor", drive_angle(crank, Law::linear(98.6, 1.0))).unwrap();
     let text = m.build().unwrap().run_both([0.0, 0.1]).unwrap().summary();
     assert!(
-        text.contains("warning: `crank` begins 98.6 rad from its guess, more than a turn.")
+        text.contains("`crank` begins 98.6 rad from its initial guess, which is more than a turn.")
             && text.contains("98.6° is `deg(98.6)`."),
         "{text}"
     );

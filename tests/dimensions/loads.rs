@@ -224,7 +224,7 @@ fn what_makes_no_sense_is_told_by_name() -> kin::Result<()> {
         ("m", 0.0, "the mass is 0. Give a value above zero"),
         ("J", -0.01, "the dimension `J`: with -0.01 `arm` (mass): "),
         ("r", 0.0, "the dimension `r`: with 0 `O` (friction): "),
-        ("mu", -0.1, "the coefficient is -0.1"),
+        ("mu", -0.1, "the coefficient of friction is -0.1"),
         ("g", f64::INFINITY, "the dimension `g`: the value is inf"),
         ("nobody", 1.0, "nobody"),
     ] {

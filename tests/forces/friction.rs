@@ -404,7 +404,7 @@ fn friction_of_a_force_that_is_not_unique_is_refused_by_name() {
     let told = system.forces(&motion).map(|_| ()).unwrap_err().to_string();
     assert!(
         told.starts_with(
-            "`hinge 2`: the force that causes its friction is not unique. `hinge 1`, `hinge 2`"
+            "`hinge 2`: the force that causes its friction is not unique. The constraints `hinge 1` and `hinge 2`"
         ),
         "{told}"
     );

@@ -16,8 +16,14 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
     let slide =
         |mu: f64, length: f64, width: f64, rate: f64| Friction::slide(mu, [length, width], rate);
     for (friction, due) in [
-        (slide(-0.1, 0.4, 0.0, 1.0), "the coefficient is -0.1. Give a value of at least zero"),
-        (slide(f64::NAN, 0.4, 0.0, 1.0), "the coefficient is NaN. Give a value of at least zero"),
+        (
+            slide(-0.1, 0.4, 0.0, 1.0),
+            "the coefficient of friction is -0.1. Give a value of at least zero",
+        ),
+        (
+            slide(f64::NAN, 0.4, 0.0, 1.0),
+            "the coefficient of friction is NaN. Give a value of at least zero",
+        ),
         (slide(0.1, 0.0, 0.0, 1.0), "the length of the guide is 0. Give a value above zero"),
         (
             slide(0.1, f64::INFINITY, 0.0, 1.0),
@@ -42,7 +48,7 @@ fn friction_that_makes_no_sense_is_refused_by_name() {
         (Friction::pin(0.1, 0.0, 1.0), "the radius of the pin is 0. Give a value above zero"),
         (
             Friction::pin(0.1, 0.02, 1.0),
-            "friction of a pin needs one of the joints revolute, cylindrical, but the joint is `prismatic`",
+            "friction of a pin needs one of the joints `revolute` and `cylindrical`, but the joint is `prismatic`",
         ),
     ] {
         assert_eq!(told("incline", friction), format!("`incline` (friction): {due}"));
@@ -80,7 +86,7 @@ fn friction_of_a_joint_of_ones_own_is_refused_whatever_its_name() {
     let drum = m.planar("drum", pose(0.0, 0.0, 0.0)).expect("a body");
     m.add("shaft", revolute(drum, m.ground(), vec2(0.1, 0.0), O)).expect("a joint");
     let told = m.friction("shaft", Friction::pin(0.1, 0.02, 1.0)).unwrap_err().to_string();
-    let due = "`shaft` (friction): friction of a pin needs one of the joints revolute, cylindrical, but the joint is `revolute`, which is user-defined";
+    let due = "`shaft` (friction): friction of a pin needs one of the joints `revolute` and `cylindrical`, but the joint is `revolute`, which is user-defined";
     assert_eq!(told, due);
 }
 

@@ -132,7 +132,10 @@ fn across_cranks(forces: &Forces<'_>, bodies: &Bodies, reference: &Value, of: &m
         let sign = if joint.starts_with('O') { -1.0 } else { 1.0 };
         assert_eq!(acted.not_unique(), ["F_x"], "{joint}");
         let told = acted.force().unwrap_err().to_string();
-        assert!(told.contains("`O1`, `A1`, `O2`, `A2`, `O3`, `A3` share it"), "{told}");
+        assert!(
+            told.contains("`O1`, `A1`, `O2`, `A2`, `O3` and `A3` carry this force together"),
+            "{told}"
+        );
         let exact: Vec<f64> = numbers_of(exact);
         series(&acted, "F_y", true, |t| sign * exact[t], of);
     }

@@ -304,8 +304,8 @@ fn forces_at_a_change_point_are_an_error_by_name() {
     match system.forces(&motion).map(|_| ()) {
         Err(error @ Error::Unbounded(_)) => {
             let told = error.to_string();
-            assert!(told.contains("the singular position at t = 0 s"), "{told}");
-            assert!(told.contains("like |t − t*|^(−1) at `O`, `A`, `B`, `push`"), "{told}");
+            assert!(told.contains("the singular position at t* = 0 s"), "{told}");
+            assert!(told.contains("like |t − t*|^(−1) at `O`, `A`, `B` and `push`"), "{told}");
         }
         other => panic!("{other:?}"),
     }

@@ -410,7 +410,8 @@ fn the_checker_finds_what_is_wrong() {
     }
     let text = check::compare_law(&Law::new(Wrong), 0.0, 1.0).expect_err("wrong").to_string();
     assert!(
-        text.contains("derivative 2 at x = ") && text.contains("by central differences 2.0000"),
+        text.contains("the derivative of order 2 at x = ")
+            && text.contains("central differences give 2.0000"),
         "{text}"
     );
     let text = check::compare_law(&(Law::cycloidal(1.0, 1.0) + Law::new(Wrong)), -0.5, 0.4)

@@ -20,12 +20,12 @@ Each joint is a function whose body is its equation. Kin derives all derivatives
 * R and A are the position and the rotation matrix of a body. The global position of a point P is r_P = R + A ū.
 * The pictures show body i in blue, body j in grey, and driven motions in orange.
 
-If you know the global position of a point in the drawn pose, `m.local` returns its local position in a body. `m.local_direction` does the same for a
+If you know the global position of a point in the initial guess (the pose at declaration), `m.local` returns its local position in a body. `m.local_direction` does the same for a
 direction:
 
 ```rust
 let arm = m.planar(\"arm\", pose(0.2, 0.1, 0.3))?;
-m.add(\"pin\", revolute(arm, m.ground(), m.local(arm, (0.5, 0.4))?, (0.5, 0.4)))?;      // the pin is at (0.5, 0.4) in the drawn pose
+m.add(\"pin\", revolute(arm, m.ground(), m.local(arm, (0.5, 0.4))?, (0.5, 0.4)))?;      // the pin is at (0.5, 0.4) in the initial guess
 ```
 
 The lists below show the arguments of each joint by these types:

@@ -238,7 +238,7 @@ fn what_cannot_be_asked_is_told_by_name() {
     );
     assert!(
         said("D.angle").starts_with(
-            "there is no measure or coordinate `D.angle`. Use one of the names `O.angle`, `A.angle`"
+            "there is no measure or coordinate `D.angle`. Use one of the names `O.angle` and `A.angle`"
         ),
         "{}",
         said("D.angle")

@@ -36,7 +36,7 @@ fn a_motion_of_before_something_was_set_is_told() {
         let told = system.forces(&motion).err().map(|error| error.to_string()).unwrap_or_default();
         assert!(
             told.contains("\"slider-crank\" with its present values")
-                && told.contains("the equation `rail` is off by"),
+                && told.contains("the equation `rail` has the residual"),
             "{told}"
         );
         // Run again, all is well.

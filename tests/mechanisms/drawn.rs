@@ -28,7 +28,7 @@ fn an_exact_drawn_pose_that_is_singular_is_not_left_in_silence() {
     let text = error.to_string();
     for part in [
         "rank 2",
-        "The drawn position is singular",
+        "The initial guess is singular",
         "`rod` turns about",
         "satisfies every equation",
         "Let `lift` begin at another value",

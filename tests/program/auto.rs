@@ -114,7 +114,7 @@ fn what_cannot_be_compiled_runs_plainly_and_says_why() {
     let motion = by_auto(&system, 2001);
     let reason = motion.why_not_compiled().expect("a reason");
     assert!(
-        reason.contains("Kin cannot compile `motor`") && reason.contains("dual route"),
+        reason.contains("Kin cannot compile `motor`") && reason.contains("dual numbers"),
         "{reason}"
     );
     assert!(

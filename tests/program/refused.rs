@@ -28,7 +28,7 @@ fn the_dual_route_is_told_by_the_name_of_its_constraint() {
     m.add("motor", by_dual(drive_angle(crank, Law::ramp(2.0)))).expect("adds");
     let text = refused(m);
     assert!(
-        text.contains("`motor`") && text.contains("dual route") && text.contains("Engine::Auto"),
+        text.contains("`motor`") && text.contains("dual numbers") && text.contains("Engine::Auto"),
         "{text}"
     );
 }

@@ -83,7 +83,7 @@ fn constraints_and_laws_without_bounds() {
     }
     let text =
         refusal(&slider(|m, x| m.add("motor", by_dual(drive(x, Law::ramp(1.0)))).map(|_| ())));
-    assert!(text.contains("`motor`") && text.contains("dual route"), "{text}");
+    assert!(text.contains("`motor`") && text.contains("dual numbers"), "{text}");
     let text = refusal(&slider(|m, x| m.add("motor", by_helper(x)).map(|_| ())));
     assert!(
         text.contains("`motor` (by_helper)") && text.contains("user-defined function"),

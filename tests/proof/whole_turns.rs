@@ -96,7 +96,7 @@ fn positions_alone() {
     let system = example("04_four_bar");
     let proof = system.prove(&system.run_both([0.2]).unwrap()).unwrap();
     assert!(proof.is_complete() && proof.steps().is_empty());
-    assert!(proof.to_string().contains("1 of 1 position proved"), "{proof}");
+    assert!(proof.to_string().contains("Kin proved 1 of 1 position."), "{proof}");
 }
 
 /// With all lengths in another unit the same steps are proved, those of a motion that cannot be

@@ -87,7 +87,7 @@ fn what_is_not_proved_has_its_own_code() {
     fails(
         &["prove", &example("16_change_points"), "--times", "0:1:31"],
         4,
-        "26 of 30 steps proved",
+        "Kin proved 26 of 30 steps.",
     );
     let told = "Kin cannot prove";
     let mut data = four_bar();

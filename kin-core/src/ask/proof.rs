@@ -237,7 +237,7 @@ impl System {
         let m = self.n_equations();
         let reason = if m != n {
             format!(
-                "the mechanism has {m} equations for {n} coordinates, and Kin cannot prove that superfluous equations hold exactly. Remove the superfluous equations, which `diagnose` names"
+                "the mechanism has {m} equations for {n} coordinates, and Kin cannot prove that redundant equations hold exactly. Remove the redundant equations, which `diagnose` names"
             )
         } else if n > LARGEST {
             format!(

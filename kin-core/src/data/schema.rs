@@ -38,15 +38,15 @@ pub fn schema(registry: &Registry) -> Value {
                 "description": "User-defined equations of constraints, as text in the language of `#[constraint]`.",
                 "type": "array", "items": { "type": "string" },
             },
-            "dimensions": list("dimension", "Named dimensions, which other numbers may be expressions of."),
-            "bodies": list("body", "Bodies and bare coordinates in their order."),
-            "constraints": list("constraint", "Constraints in their order."),
-            "limits": list("limit", "Ranges that measures should keep to."),
-            "preferred": list("preferred", "Measures by whose values an assembly is preferred."),
+            "dimensions": list("dimension", "Named dimensions. Expressions of the dimensions can replace other numbers of the file."),
+            "bodies": list("body", "Bodies, and scalar coordinates that belong to no body. Their order is the order of the coordinates in q."),
+            "constraints": list("constraint", "Constraints. Their order is the order of the equations in C."),
+            "limits": list("limit", "Limits of measures. A run reports an event where a measure passes a limit."),
+            "preferred": list("preferred", "Measures with preferred values. Kin chooses the assembly whose measures are nearest to these values."),
             "masses": list("mass", "Masses of bodies."),
-            "point_masses": list("point_mass", "Points with mass, of mechanisms in bare coordinates."),
-            "gravity": vector("The acceleration of gravity; z is 0 in a plane."),
-            "loads": list("load", "What acts on the mechanism."),
+            "point_masses": list("point_mass", "Points with mass, for mechanisms that have scalar coordinates and no bodies."),
+            "gravity": vector("Components of the acceleration of gravity along the global axes; in a plane the third component is 0."),
+            "loads": list("load", "Forces, torques and energies that act on the mechanism."),
             "frictions": list("friction", "Dry friction in joints."),
         },
         "$defs": {
@@ -62,12 +62,12 @@ pub fn schema(registry: &Registry) -> Value {
             "constraint": constraint(registry),
             "argument": argument(),
             "law": law(registry),
-            "limit": object("The range of a measure; null for no end.", &["measure"], &[
+            "limit": object("The range of a measure. An end that is null means no limit.", &["measure"], &[
                 ("measure", text("The measure or coordinate, such as slot.slide.")),
-                ("from", number_or_null("Its lower end.")),
-                ("to", number_or_null("Its upper end.")),
+                ("from", number_or_null("The lower end of the range.")),
+                ("to", number_or_null("The upper end of the range.")),
             ]),
-            "preferred": object("The value of a measure in the assembly that is meant.", &["measure", "value"], &[
+            "preferred": object("The value of a measure in the preferred assembly.", &["measure", "value"], &[
                 ("measure", text("The measure, such as elbow.angle.")),
                 ("value", named("number")),
             ]),
@@ -76,33 +76,32 @@ pub fn schema(registry: &Registry) -> Value {
 }
 
 fn body() -> Value {
-    let guess =
-        "R_x, R_y, θ of a planar body; R, e0..e3 of a spatial one; the value of a bare coordinate.";
+    let guess = "The initial guess. A planar body has R_x, R_y and θ. A spatial body has R and the Euler parameters e0 to e3. A scalar coordinate has its value.";
     object(
-        "A body or bare coordinate with its guess.",
+        "A body, or a scalar coordinate that belongs to no body, with its initial guess.",
         &["name", "kind", "guess"],
         &[
-            ("name", text("Its name.")),
+            ("name", text("A name that no other item of this list has.")),
             ("kind", json!({ "enum": ["planar", "spatial", "angle", "length"] })),
             ("guess", json!({ "description": guess, "type": "array", "items": named("number") })),
             (
                 "preferred",
                 json!({
-                    "description": "Preferred values of its coordinates, null for none.",
+                    "description": "Preferred values of the coordinates of this body, in the order of `guess`; null for a coordinate without preferred value.",
                     "type": "array", "items": { "type": ["number", "string", "null"] },
                 }),
             ),
             (
                 "length",
                 json!({
-                    "description": "Length between the pins of a link.",
+                    "description": "The distance between the two pins of a link.",
                     "type": ["number", "string", "null"], "exclusiveMinimum": 0,
                 }),
             ),
             (
                 "between",
                 json!({
-                    "description": "The points that a spatial body is drawn between, for a guess that depends on dimensions.",
+                    "description": "The two global points between which the initial guess puts a spatial link, if the guess depends on dimensions.",
                     "type": ["array", "null"], "minItems": 2, "maxItems": 2,
                     "items": { "type": "array", "items": named("number"), "minItems": 3, "maxItems": 3 },
                 }),
@@ -110,7 +109,7 @@ fn body() -> Value {
             (
                 "facing",
                 json!({
-                    "description": "Where a spatial body is, and the components of one or two directions that it faces, for a guess that depends on dimensions.",
+                    "description": "The global position of a spatial body and one or two global directions of its axes, if the initial guess depends on dimensions.",
                     "type": ["array", "null"], "items": named("number"), "minItems": 6, "maxItems": 9,
                 }),
             ),
@@ -128,14 +127,14 @@ fn dimension() -> Value {
     let ends =
         json!({ "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 });
     object(
-        "A named number on which others depend.",
+        "A named number. Other numbers of the file can be expressions of dimensions.",
         &["name", "value"],
         &[
-            ("name", text("Its name.")),
+            ("name", text("A name that no other item of this list has.")),
             ("value", named("number")),
-            ("unit", text("The word for its unit.")),
+            ("unit", text("The word for the unit of the dimension.")),
             ("within", json!({ "anyOf": [ends, { "type": "null" }] })),
-            ("tolerance", number_or_null("How far it may be off, to either side.")),
+            ("tolerance", number_or_null("The largest deviation from the value, to either side.")),
             (
                 "distribution",
                 json!({ "enum": ["normal", "truncated_normal", "uniform", "disc", null] }),
@@ -149,14 +148,19 @@ fn dimension() -> Value {
 }
 
 fn mass() -> Value {
-    let rows = json!({ "type": "array", "items": vector("A row."), "minItems": 3, "maxItems": 3 });
+    let rows = json!({ "type": "array", "items": vector("A row of the inertia tensor."), "minItems": 3, "maxItems": 3 });
     object(
-        "The mass of a body, its centre and its inertia about the centre, in the body's axes.",
+        "The mass, the centre of mass and the inertia tensor of a body. The tensor is about the centre of mass, along the axes of the body.",
         &["body", "mass", "centre", "inertia"],
         &[
             ("body", text("Name of the body.")),
             ("mass", json!({ "type": ["number", "string"], "minimum": 0 })),
-            ("centre", vector("The centre of mass; z is 0 in a plane.")),
+            (
+                "centre",
+                vector(
+                    "The centre of mass in the body's frame; in a plane the third component is 0.",
+                ),
+            ),
             ("inertia", rows),
         ],
     )
@@ -164,10 +168,10 @@ fn mass() -> Value {
 
 fn point_mass() -> Value {
     object(
-        "A mass at a point: a function of two or three rows, its global coordinates.",
+        "A mass at a point. `point` is a function with two or three rows: the global coordinates of the point.",
         &["name", "point", "mass"],
         &[
-            ("name", text("Its name.")),
+            ("name", text("A name that no other item of this list has.")),
             ("point", named("scalar")),
             ("mass", json!({ "type": ["number", "string"], "exclusiveMinimum": 0 })),
         ],
@@ -176,7 +180,8 @@ fn point_mass() -> Value {
 
 fn load() -> Value {
     let measure = text("Name of a measure of a joint or of a coordinate, such as guide.slide.");
-    let measure = object("A measure to act along.", &["measure"], &[("measure", measure)]);
+    let measure =
+        object("The measure along which the force acts.", &["measure"], &[("measure", measure)]);
     let acting = json!({ "oneOf": [
         object("", &["energy"], &[("energy", named("scalar"))]),
         object("", &["along"], &[("along", object(
@@ -187,10 +192,10 @@ fn load() -> Value {
         object("", &["on_body"], &[("on_body", on_body())]),
     ] });
     object(
-        "What acts under one name.",
+        "A load: forces, torques and energies that act under one name.",
         &["name", "parts"],
         &[
-            ("name", text("Its name.")),
+            ("name", text("A name that no other item of this list has.")),
             ("parts", json!({ "type": "array", "items": acting, "minItems": 1 })),
         ],
     )
@@ -203,7 +208,7 @@ fn friction() -> Value {
     let at_least_zero = |told: &str| json!({ "description": told, "type": kinds, "minimum": 0 });
     let pin = [
         ("radius", above_zero("The radius of the pin.")),
-        ("length", at_least_zero("The length of its bearing; 0 where it is short.")),
+        ("length", at_least_zero("The length of the bearing of the pin; 0 for a short bearing.")),
     ];
     let slide = [
         ("length", above_zero("The length of the guide.")),
@@ -214,10 +219,24 @@ fn friction() -> Value {
         &["joint", "coefficient", "rate"],
         &[
             ("joint", text("Name of the joint.")),
-            ("coefficient", at_least_zero("The coefficient.")),
-            ("rate", above_zero("The rate of the slip at which it sets in.")),
-            ("pin", object("A pin.", &["radius"], &pin)),
-            ("slide", object("A slide.", &["length", "width"], &slide)),
+            ("coefficient", at_least_zero("The coefficient of friction.")),
+            ("rate", above_zero("The sliding velocity at which friction reaches its full size.")),
+            (
+                "pin",
+                object(
+                    "The dimensions of the pin, for friction in a revolute joint.",
+                    &["radius"],
+                    &pin,
+                ),
+            ),
+            (
+                "slide",
+                object(
+                    "The dimensions of the guide, for friction in a sliding joint.",
+                    &["length", "width"],
+                    &slide,
+                ),
+            ),
         ],
     );
     all["oneOf"] = json!([{ "required": ["pin"] }, { "required": ["slide"] }]);
@@ -235,12 +254,20 @@ fn on_body() -> Value {
         &["body"],
         &[
             ("body", text("Name of the body.")),
-            ("point", vector("The point in the body's frame; z is 0 in a plane.")),
-            ("force", laws("Components of the force.")),
-            ("torque", laws("Components of the torque; in a plane the last one counts.")),
+            (
+                "point",
+                vector("The point in the body's frame; in a plane the third component is 0."),
+            ),
+            ("force", laws("Components of the force, as laws of time.")),
+            (
+                "torque",
+                laws(
+                    "Components of the torque, as laws of time; in a plane Kin uses only the third component.",
+                ),
+            ),
             (
                 "in_body",
-                json!({ "description": "True if components are in the body's axes.", "type": "boolean" }),
+                json!({ "description": "True if the components are along the axes of the body, and false if they are along the global axes.", "type": "boolean" }),
             ),
         ],
     )
@@ -249,12 +276,15 @@ fn on_body() -> Value {
 /// An energy, a length or an angle.
 fn scalar() -> Value {
     object(
-        "An energy, a length or an angle to act along, or a point with mass.",
+        "An energy, a length or angle along which a force acts, or a point with mass.",
         &["kind", "arguments"],
         &[
-            ("kind", text("Name of its function, in the library or under `equations`.")),
+            ("kind", text("Name of the function, in the library or under `equations`.")),
             ("arguments", json!({ "type": "array", "items": named("argument") })),
-            ("parameters", json!({ "description": "Its parameters by name.", "type": "object" })),
+            (
+                "parameters",
+                json!({ "description": "The parameters of this function by name.", "type": "object" }),
+            ),
         ],
     )
 }
@@ -262,11 +292,14 @@ fn scalar() -> Value {
 /// A function of a length or an angle, its derivative and time.
 fn formula() -> Value {
     object(
-        "A force by the length or angle that it acts along, by its rate and by time.",
+        "A force that depends on a length or angle, on its velocity and on time.",
         &["kind"],
         &[
-            ("kind", text("Name of its function, in the library or under `equations`.")),
-            ("parameters", json!({ "description": "Its parameters by name.", "type": "object" })),
+            ("kind", text("Name of the function, in the library or under `equations`.")),
+            (
+                "parameters",
+                json!({ "description": "The parameters of this function by name.", "type": "object" }),
+            ),
         ],
     )
 }
@@ -282,34 +315,34 @@ fn constraint(registry: &Registry) -> Value {
     let mut kinds: Vec<&str> = registry.kinds().into_iter().map(|(kind, _)| kind).collect();
     kinds.dedup();
     object(
-        "A constraint by its kind, arguments and parameters.",
+        "A constraint, given by its kind, arguments and parameters.",
         &["name", "kind", "arguments"],
         &[
-            ("name", text("Its name.")),
+            ("name", text("A name that no other item of this list has.")),
             (
                 "kind",
                 json!({
-                    "description": "Name of its function, in the library or under `equations`.",
+                    "description": "Name of the function, in the library or under `equations`.",
                     "anyOf": [{ "enum": kinds }, { "type": "string" }],
                 }),
             ),
             (
                 "arguments",
                 json!({
-                    "description": "The bodies and coordinates that it acts on, in the order of its signature.",
+                    "description": "The bodies and coordinates on which the constraint acts, in the order of the arguments of its function.",
                     "type": "array", "items": named("argument"),
                 }),
             ),
             (
                 "parameters",
                 json!({
-                    "description": "Its parameters by name: a number, lists of numbers, a law.", "type": "object",
+                    "description": "The parameters of the constraint by name. A parameter is a number, a list of numbers or a law.", "type": "object",
                 }),
             ),
             (
                 "lacking",
                 json!({
-                    "description": "What its text refers to and the file does not contain.",
+                    "description": "Names that the text of the constraint uses and the file does not contain.",
                     "type": "array", "items": { "type": "string" },
                 }),
             ),
@@ -325,22 +358,22 @@ fn argument() -> Value {
     json!({ "oneOf": [
         one("planar", body("A planar body; null is the ground.")),
         one("spatial", body("A spatial body; null is the ground.")),
-        one("coord", text("A coordinate by its name, such as crank.theta.")),
-        one("ground_coord", axis("A coordinate of the ground as a planar body, by its number.")),
-        one("spatial_ground_coord", axis("A coordinate of the ground as a spatial body, by its number.")),
+        one("coord", text("The name of a coordinate, such as crank.theta.")),
+        one("ground_coord", axis("The index of a coordinate of the ground as a planar body, from 0.")),
+        one("spatial_ground_coord", axis("The index of a coordinate of the ground as a spatial body, from 0.")),
     ] })
 }
 
 fn law(registry: &Registry) -> Value {
     object(
-        "A law: its kind, or its function as text; its own numbers, the laws that it is made of.",
+        "A law, given by its kind or by the text of its function, with the numbers of the law and the laws of which it consists.",
         &[],
         &[
             ("kind", json!({ "anyOf": [{ "enum": registry.law_kinds() }, { "type": "string" }] })),
             (
                 "text",
                 text(
-                    "Its function, fn lift(x: f64, h: f64) -> f64 { … }, for readers that do not know its kind.",
+                    "The text of the law's function for programs that do not know the kind of the law, such as fn lift(x: f64, h: f64) -> f64 { … }.",
                 ),
             ),
             ("numbers", json!({ "type": "object", "additionalProperties": named("number") })),

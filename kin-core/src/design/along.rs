@@ -60,7 +60,9 @@ impl<'a> Prepared<'a> {
                 let made = || Equation::of(table.formula(), own.len()).map(Rc::new);
                 kind.or_insert_with(made).clone()
             });
-            let unknown = Err("the constraint takes the dual route or is written by hand");
+            let unknown = Err(
+                "Kin differentiates the constraint by dual numbers, or the constraint is hand-written",
+            );
             let equation = equation.unwrap_or(unknown).map_err(|reason| {
                 let by = names.first().map_or("", String::as_str);
                 NoDerivative::error(

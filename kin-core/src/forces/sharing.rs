@@ -6,6 +6,7 @@ use super::calls::Forces;
 use super::reaction::{Reaction, Source};
 use crate::model::error::{Error, Result};
 use crate::model::loads::LoadSharing;
+use crate::model::words::list;
 
 /// Entries of the null space below this share of the largest one are rounding. \[-\]
 const NOTHING: f64 = 1e-10;
@@ -98,7 +99,7 @@ impl Forces<'_> {
         let largest = (0..equations.rows).map(size).fold(0.0, f64::max);
         if let Some(row) = rows.iter().find(|row| size(**row) <= NOTHING * largest) {
             let reason = format!(
-                "the equation `{}` is not redundant: without this equation, a body or coordinate is free",
+                "the equation `{0}` is not redundant: if you remove `{0}`, a body or coordinate can move. Leave out redundant equations only",
                 equations.equation(*row)
             );
             return Err(invalid(self.system.name(), &reason));
@@ -109,15 +110,15 @@ impl Forces<'_> {
         let dependent = values.min() <= 1e-7 * values.max() || values.min().is_nan();
         if dependent {
             let reason = format!(
-                "without the equations `{}`, a body or coordinate is free",
-                names.join("`, `")
+                "if you remove the equations {}, a body or coordinate can move. Leave out equations that are redundant together",
+                list(names)
             );
             return Err(invalid(self.system.name(), &reason));
         }
         matrix.lu().solve(&rhs).ok_or_else(|| {
             invalid(
                 self.system.name(),
-                "the equations that the rule leaves out depend on one another",
+                "the equations that the rule leaves out depend on one another. Leave out other redundant equations",
             )
         })
     }
@@ -125,6 +126,6 @@ impl Forces<'_> {
 
 fn invalid(name: &str, reason: &str) -> Error {
     let constraint = name.to_string();
-    let kind = "sharing of forces".to_string();
+    let kind = "distribution of forces".to_string();
     Error::InvalidParameters { constraint, kind, reason: reason.to_string() }
 }

@@ -25,7 +25,7 @@ pub struct Growth {
 /// Forces have no bound at the requested time, which is a singular position.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "forces have no bound at the singular position at t = {}: the forces grow like {}. Leave this time out, or drive another body",
+    "forces have no bound at the singular position at t* = {}: near t* the forces grow like {}. Leave this time out, or drive another body",
     words::at(*.t, .units), listed(.growth)
 )]
 #[non_exhaustive]
@@ -85,7 +85,7 @@ fn listed(growth: &[Growth]) -> String {
     let told = |one: &&Growth| {
         format!("|t − t*|^({}) at {}", one.fraction(), words::list(&names(one.power)))
     };
-    powers.iter().map(told).collect::<Vec<_>>().join(", ")
+    words::joined(&powers.iter().map(told).collect::<Vec<_>>(), "and")
 }
 
 #[cfg(test)]
@@ -108,7 +108,7 @@ mod tests {
     #[test]
     fn constraints_with_one_power_are_told_together() {
         let all = [growth("A", -0.5), growth("motor", -2.0), growth("B", -0.5)];
-        assert_eq!(listed(&all), "|t − t*|^(−2) at `motor`, |t − t*|^(−1/2) at `A`, `B`");
+        assert_eq!(listed(&all), "|t − t*|^(−2) at `motor` and |t − t*|^(−1/2) at `A` and `B`");
         assert_eq!(
             all[0].to_string(),
             "the forces of `A` grow without bound towards t* = 0.25 s, like |t − t*|^(−1/2)"

@@ -10,7 +10,7 @@ use crate::model::words;
 /// limit a driver would have to pull although it pushes.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "friction in `{constraint}` jams the mechanism at t = {}: a share of {share:.3} of this friction already requires infinite forces{}. Make the guide longer, make the pin or the coefficient of friction smaller, or drive the part closer to its line of motion",
+    "friction in `{constraint}` jams the mechanism at t = {}: a fraction {share:.3} of this friction already requires infinite forces{}. Make the guide longer, make the pin or the coefficient of friction smaller, or drive the part closer to its line of motion",
     words::at(*.t, .units), driven(.drives)
 )]
 #[non_exhaustive]
@@ -20,8 +20,8 @@ pub struct Jammed {
     pub constraint: String,
     /// The first time of the motion at which friction jams the mechanism. \[s\]
     pub t: f64,
-    /// The share of the full friction at which forces have no bound; 1 if the mechanism is about to
-    /// jam. \[-\]
+    /// The fraction of the full friction at which forces have no bound; 1 if the mechanism is about
+    /// to jam. \[-\]
     pub share: f64,
     /// The drivers that work against the friction.
     pub drives: Vec<String>,

@@ -55,8 +55,8 @@ impl fmt::Display for Mismatch {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "the derivatives of `{}` by the {} route, by dual numbers and by central differences differ at {}:",
-            self.kind, self.route, self.place
+            "the derivatives of `{}` differ at {}. The columns are the {} derivatives, those by dual numbers and those by central differences:",
+            self.kind, self.place, self.route
         )?;
         let width = self
             .entries
@@ -94,7 +94,7 @@ impl fmt::Display for Mismatch {
         }
         write!(
             f,
-            "  t = {}\n  At a kink, derivatives are one-sided, so choose another state. The equation must depend only on the arguments of the constraint.",
+            "  t = {}\n  At a kink, derivatives are one-sided, so choose another state. Otherwise correct the equation, which must depend only on the arguments of the constraint.",
             self.t
         )
     }

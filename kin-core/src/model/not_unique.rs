@@ -8,7 +8,7 @@ use crate::model::words;
 /// Kin returns no number.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 #[error(
-    "`{constraint}`: {what} is not unique. The constraints {} share this force according to their play and stiffness, which Kin does not know. {}, or remove a redundant equation from one of these constraints",
+    "`{constraint}`: {what} is not unique. The constraints {} carry this force together, and their parts depend on play and stiffness, which Kin does not know. {}, or remove a redundant equation from one of these constraints",
     words::list(.shared), Surface::chosen().shared_force()
 )]
 #[non_exhaustive]

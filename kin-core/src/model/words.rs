@@ -40,12 +40,23 @@ pub(crate) fn row(row: &str) -> String {
     if row.is_empty() { String::new() } else { format!(" row {row}") }
 }
 
-/// "`a`, `b` and 3 more".
+/// "`a`, `b` and `c`"; of a long list "`a`, `b` and 3 more".
 pub(crate) fn list(names: &[String]) -> String {
     const SHOWN: usize = 8;
-    let quoted: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
-    let all = quoted.join(", ");
-    if names.len() > SHOWN { format!("{all} and {} more", names.len() - SHOWN) } else { all }
+    let mut all: Vec<String> = names.iter().take(SHOWN).map(|name| format!("`{name}`")).collect();
+    if names.len() > SHOWN {
+        all.push(format!("{} more", names.len() - SHOWN));
+    }
+    joined(&all, "and")
+}
+
+/// "a, b and c", with this word before the last text.
+pub(crate) fn joined(texts: &[String], word: &str) -> String {
+    match texts {
+        [] => String::new(),
+        [only] => only.clone(),
+        [others @ .., last] => format!("{} {word} {last}", others.join(", ")),
+    }
 }
 
 /// Three decimals, or three digits of what is smaller; as a power of ten where it is far from 1.
@@ -160,6 +171,15 @@ mod tests {
             }
             assert_eq!(apart(&[a], &[a])[0], [number(a)]);
         }
+    }
+
+    #[test]
+    fn lists_end_with_a_word() {
+        let names = |count: usize| (1..=count).map(|k| format!("p{k}")).collect::<Vec<_>>();
+        assert_eq!([list(&names(0)), list(&names(1))], ["", "`p1`"]);
+        assert_eq!([list(&names(2)), list(&names(3))], ["`p1` and `p2`", "`p1`, `p2` and `p3`"]);
+        assert!(list(&names(11)).ends_with("`p8` and 3 more"));
+        assert_eq!(joined(&names(3), "or"), "p1, p2 or p3");
     }
 
     #[test]

@@ -85,7 +85,7 @@ impl fmt::Display for Refusal {
 }
 
 /// The reason why a constraint without a formula cannot be compiled.
-pub(crate) const UNREAD: &str = "Kin does not know the equation as a formula: the constraint takes the dual route, or is written by hand";
+pub(crate) const UNREAD: &str = "Kin does not know the equation as a formula: Kin differentiates the constraint by dual numbers, or the constraint is hand-written";
 pub(crate) const ABROAD: &str = "one of the bodies belongs to another mechanism";
 
 /// Gathers the equations of a system, with or without the terms of the jerk. Returns an error with

@@ -108,7 +108,10 @@ impl Compiled {
                 self.unknowns.join(", ")
             );
         }
-        text + &format!("\n  {} operations in {} groups", self.size[0], self.size[1])
+        text + &format!(
+            "\n  {} operations in {} groups of independent operations",
+            self.size[0], self.size[1]
+        )
     }
 }
 

@@ -9,7 +9,57 @@ use crate::model::coordinates::{Coordinate, Target};
 use crate::model::formula::laws::lengths;
 use crate::model::formula::{Given, Outside};
 use crate::model::law::Law;
+use crate::model::layout::Layout;
 use crate::model::units::Unit;
+
+/// Returns the unit of the coordinate of a constraint that acts on one coordinate only.
+fn unit_of_coordinate(layout: &Layout, block: &Block) -> Option<String> {
+    let arguments = block.constraint.arguments();
+    let [only] = arguments.as_slice() else { return None };
+    let Target::Coord(..) = only.target else { return None };
+    let column = layout.columns(only).first().copied().flatten()?;
+    Some(match layout.units[column] {
+        Unit::Metre => "m".to_string(),
+        Unit::Radian => "rad".to_string(),
+        Unit::One => "-".to_string(),
+    })
+}
+
+/// Returns the units in the documentation of a constraint: `[m]`, `[rad, m]`.
+fn documented_units(block: &Block) -> Option<Vec<String>> {
+    let facts = block.constraint.facts();
+    let text = facts.description.split("\n\n").next()?.replace('\\', "");
+    let (_, after) = text.rsplit_once('[')?;
+    Some(after.split(']').next()?.split(',').map(|word| word.trim().to_string()).collect())
+}
+
+/// Returns the unit of each row of a constraint; `None` where it is unknown. The documentation
+/// gives one unit for all rows, one for each row, or one for each part of the result, such as
+/// `[m, –]` for the rows `point.x`, `point.y`, `point.z` and `turn`.
+pub(crate) fn units_of_rows(layout: &Layout, block: &Block) -> Vec<Option<String>> {
+    let rows = block.constraint.facts().rows;
+    if let Some(unit) = unit_of_coordinate(layout, block) {
+        return vec![Some(unit); rows.len()];
+    }
+    let units = documented_units(block).unwrap_or_default();
+    let mut part = 0;
+    let parts: Vec<usize> = (0..rows.len())
+        .map(|k| {
+            let vector = |row: &str| row.rsplit_once('.').map(|(name, _)| name.to_string());
+            let is_new =
+                k > 0 && (vector(rows[k]).is_none() || vector(rows[k]) != vector(rows[k - 1]));
+            part += usize::from(is_new);
+            part
+        })
+        .collect();
+    let of_row = |k: usize| match units.len() {
+        1 => units.first().cloned(),
+        all if all == rows.len() => units.get(k).cloned(),
+        all if all == part + 1 => units.get(parts[k]).cloned(),
+        _ => None,
+    };
+    (0..rows.len()).map(of_row).collect()
+}
 
 impl System {
     /// Replaces one law of a constraint. Returns false if the constraint has no law with this name.
@@ -32,23 +82,10 @@ impl System {
     /// Returns the unit of row k of a constraint from its documentation (`[m]`, `[rad, m]`), or
     /// from the coordinate that it drives.
     pub(crate) fn unit_of_row(&self, block: &Block, k: usize) -> Option<String> {
-        if let [only] = block.constraint.arguments().as_slice()
-            && let Target::Coord(..) = only.target
-        {
-            let layout = self.layout();
-            let column = layout.columns(only).first().copied().flatten()?;
-            return Some(match layout.units[column] {
-                Unit::Metre => "m".to_string(),
-                Unit::Radian => "rad".to_string(),
-                Unit::One => "-".to_string(),
-            });
-        }
-        let facts = block.constraint.facts();
-        let text = facts.description.split("\n\n").next()?.replace('\\', "");
-        let (_, after) = text.rsplit_once('[')?;
-        let words: Vec<&str> = after.split(']').next()?.split(',').map(str::trim).collect();
-        let word = if words.len() == 1 { words.first() } else { words.get(k) };
-        word.map(|word| word.to_string())
+        unit_of_coordinate(self.layout(), block).or_else(|| {
+            let units = documented_units(block)?;
+            units.get(if units.len() == 1 { 0 } else { k }).cloned()
+        })
     }
 
     /// Returns the units of the laws with these indices, from those of rows and coordinates: `m`,

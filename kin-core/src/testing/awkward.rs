@@ -42,7 +42,7 @@ fn flat_parallelogram_is_singular_by_name() {
     assert!(
         error
             .to_string()
-            .contains("`coupler` turns about (1.000, 0) m, `rocker` turns about (3.000, 0) m"),
+            .contains("`coupler` turns about (1.000, 0) m and `rocker` turns about (3.000, 0) m"),
         "{error}"
     );
 }

@@ -285,8 +285,9 @@ impl Reading {
             return Ok(());
         }
         let value = Formula::read(end).map_err(|reason| Mistake::at(at, reason))?;
-        let value =
-            value.constant().ok_or_else(|| Mistake::at(at, "a limit does not change with time"))?;
+        let value = value
+            .constant()
+            .ok_or_else(|| Mistake::at(at, "Kin does not read a limit that changes with time"))?;
         let known = self.limits.get(&name).copied().unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
         let (from, to) = match way {
             "=>" | ">=" => (value, known.1),

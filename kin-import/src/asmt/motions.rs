@@ -61,7 +61,11 @@ impl Reading {
         let turns = [law(of, "angIJJ1")?, law(of, "angIJJ2")?, law(of, "angIJJ3")?];
         let order = of.numbers::<3>("RotationOrder")?;
         let Some((frame, sign, places)) = ordered(order) else {
-            self.leave(of, "Kin does not read an order of turns that has an axis twice", true);
+            self.leave(
+                of,
+                "Kin does not read a sequence of rotations that has one axis twice",
+                true,
+            );
             return Ok(());
         };
         // The same motion between frames whose z, y and x are the first, second and third axis.

@@ -298,7 +298,10 @@ impl Reader {
                 return Err(Unreadable::new(at, "`&mut` passed to a user-defined function"));
             }
             Value::Adt(adt) if self.own.is_type(&adt.type_name()) => {
-                return Err(Unreadable::new(at, "a value of a type that is declared in the body"));
+                return Err(Unreadable::new(
+                    at,
+                    "a value of a type that is declared in the function body",
+                ));
             }
             Value::Adt(adt) => {
                 let fields = adt

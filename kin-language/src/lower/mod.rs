@@ -300,7 +300,7 @@ impl Reader {
         let value = self.body(body)?;
         match self.loaded(value) {
             value @ Value::Generator(_) => self.typed(value, output, body),
-            Value::Never => Err(Unreadable::new(body, "a body without a value")),
+            Value::Never => Err(Unreadable::new(body, "a function body without a value")),
             value => Ok(value),
         }
     }

@@ -88,7 +88,7 @@ impl Reader {
                 self.constant(&constant.ident, &constant.expr, &constant.ty, depth)
             }
             Item::Impl(_) if !self.own.take(item, depth) => {
-                return Err(Unreadable::new(item, "an item inside the body"));
+                return Err(Unreadable::new(item, "an item inside the function body"));
             }
             Item::Macro(_) => return Err(Unreadable::new(item, "a user-defined macro")),
             _ => false,
@@ -101,7 +101,7 @@ impl Reader {
         // Emitted code repeats an item for the whole body, so the item must not come from an inner
         // block.
         if depth != self.body_depth {
-            return Err(Unreadable::new(item, "an item inside of an inner block"));
+            return Err(Unreadable::new(item, "an item inside an inner block"));
         }
         self.repeated_items.push(item.clone());
         Ok(())

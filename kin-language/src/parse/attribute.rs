@@ -52,11 +52,11 @@ pub fn asked(attribute: TokenStream) -> syn::Result<Asked> {
     };
     match (warn_dual, choice) {
         (Some(_), Choice::Dual(_)) => Err(mistake(
-            "`warn_dual` warns of the route that `dual` requests: remove `warn_dual` or `dual`",
+            "`warn_dual` warns of the dual numbers that `dual` requests: remove `warn_dual` or `dual`",
         )),
-        (Some(_), Choice::Symbolic) => {
-            Err(mistake("with `symbolic` the dual route is an error: remove `warn_dual`"))
-        }
+        (Some(_), Choice::Symbolic) => Err(mistake(
+            "with `symbolic` dual numbers are an error, not a warning: remove `warn_dual`",
+        )),
         _ => Ok(Asked { choice, warn_dual: warn_dual.is_some(), lengths, with }),
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! A value outside its bounds is an error.
 
+use super::law::derivative;
 use super::{Disagreement, Spread, Terms};
 use crate::ask::proof::Part;
 use crate::model::constraint::Constraint;
@@ -107,9 +108,10 @@ pub(super) fn of_law(law: &Law, from: f64, to: f64, sizes: &[f64; 4]) -> Vec<Str
         {
             if bounds.len() > found.order + 1 {
                 let what = format!(
-                    "the law states {2} coefficients over the break at x = {0}, where derivative {1} jumps",
+                    "{} jumps at the break at x = {}, so over this break `over` must return at most {} Taylor coefficients. It returns {}",
+                    derivative(found.order),
                     found.x,
-                    found.order,
+                    found.order + 1,
                     bounds.len()
                 );
                 lines.push(what);
@@ -131,7 +133,8 @@ fn not_within(law: &Law, bounds: &Series, x: f64, sizes: &[f64; 4]) -> Vec<Strin
         let found = value < known.lo() - slack || value > known.hi() + slack;
         found.then(|| {
             format!(
-                "derivative {order} at x = {x}: {value:e}, which is not within {:e} and {:e}",
+                "{} at x = {x} is {value:e}. By the bounds of the law it must be between {:e} and {:e}",
+                derivative(order),
                 known.lo(),
                 known.hi()
             )

@@ -76,8 +76,8 @@ pub fn compare_law(law: &Law, from: f64, to: f64) -> Result<f64, LawMismatch> {
             worst = worst.max(difference);
             if difference.is_nan() || difference > 1e-6 {
                 lines.push(format!(
-                    "derivative {} at x = {x}: {:e}, by central differences {slope:e}",
-                    order + 1,
+                    "{} at x = {x} is {:e}, but central differences give {slope:e}",
+                    derivative(order + 1),
                     at[order + 1]
                 ));
             }
@@ -155,6 +155,11 @@ fn sizes(law: &Law, from: f64, to: f64) -> [f64; 4] {
     largest.map(|size| if size > 0.0 { size } else { 1.0 })
 }
 
+/// "the value", "the derivative of order 2".
+pub(super) fn derivative(order: usize) -> String {
+    if order == 0 { "the value".to_string() } else { format!("the derivative of order {order}") }
+}
+
 /// Returns what is wrong with one break: a derivative below its order jumps, or the derivative of
 /// its order does not.
 fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option<String> {
@@ -167,13 +172,16 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
     };
     if let Some(k) = (0..order.min(3)).find(|&k| jump(k, &before, &after)) {
         return Some(format!(
-            "break at x = {x} of order {order}, but derivative {k} jumps there: {:e} to {:e}",
-            before[k], after[k]
+            "the law lists a break of order {order} at x = {x}, but {} jumps at x = {x}, from {:e} to {:e}",
+            derivative(k),
+            before[k],
+            after[k]
         ));
     }
     if order <= 3 && !jump(order, &before, &after) {
         return Some(format!(
-            "break at x = {x} of order {order}, but derivative {order} does not jump there: {:e}",
+            "the law lists a break of order {order} at x = {x}, but {} does not jump at x = {x}: it is {:e} on both sides",
+            derivative(order),
             at[order]
         ));
     }
@@ -183,7 +191,9 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
         return None;
     }
     Some(format!(
-        "at the break x = {x} derivative {left} is {:e}, but it is {:e} on the right side",
-        at[left], after[left]
+        "at the break x = {x} {} is {:e}, but must have the value of the right side, {:e}",
+        derivative(left),
+        at[left],
+        after[left]
     ))
 }

@@ -6,6 +6,7 @@ use crate::model::verdict::{Against, Asks, Gap, Step};
 use crate::model::layout::Layout;
 use crate::model::units::Unit;
 use crate::solve::assembly::search::Found;
+use crate::system::drivers::units_of_rows;
 use crate::system::evaluate::Block;
 use crate::system::scaled::Model;
 
@@ -17,6 +18,7 @@ pub(super) fn gap(model: &Model<'_>, found: &Found, t: f64, block: usize, starts
         constraint: block.name.clone(),
         equations: rows.clone().map(|row| model.equations.equation(row)).collect(),
         residual: point.c[rows.clone()].to_vec(),
+        row_units: units_of_rows(model.layout, block),
         asks: asks(model, found, t, rows.clone()),
         rows: rows.collect(),
         lasting: false,

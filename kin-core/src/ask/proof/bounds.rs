@@ -3,7 +3,7 @@
 use kin_graph::{Formula, Input, Results, evaluate, evaluate_along};
 
 use crate::model::blame::Source;
-use crate::model::constraint::Constraint;
+use crate::model::constraint::{Constraint, Route};
 use crate::model::error::Error;
 use crate::model::formula::bounds::{self as equation, Inputs};
 use crate::model::formula::{Outside, Table};
@@ -235,10 +235,12 @@ fn unreadable(constraint: &dyn Constraint) -> Option<String> {
         }
     });
     known.unwrap_or_else(|| {
-        Some(format!(
-            "the constraint takes the {} route, but Kin has bounds over an interval on the symbolic route only",
-            facts.route()
-        ))
+        let how = match facts.route() {
+            Route::Symbolic => "Kin does not know the equation as a formula",
+            Route::Dual => "Kin differentiates the constraint by dual numbers",
+            Route::Hand => "the constraint is hand-written",
+        };
+        Some(format!("{how}, so Kin has no bounds of the equation over an interval"))
     })
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::{Proof, Tube, Unproved, UnprovedReason};
 use crate::model::units::Unit;
-use crate::model::words::{count, time};
+use crate::model::words::{count, joined, time};
 use crate::numbers::enclosure::interval::down;
 
 /// Writes the verdict, and the first step without a proof.
@@ -24,12 +24,12 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
             proof.name,
             if all == 1 { "the step is".to_string() } else { format!("all {all} steps are") }
         )?,
-        Some(_) => write!(f, "{}: {proved} of {} proved.", proof.name, count(all, "step"))?,
+        Some(_) => write!(f, "{}: Kin proved {proved} of {}.", proof.name, count(all, "step"))?,
         None => {
             let found = proof.positions.iter().filter(|position| position.is_ok()).count();
             write!(
                 f,
-                "{}: {found} of {} proved.",
+                "{}: Kin proved {found} of {}.",
                 proof.name,
                 count(proof.positions.len(), "position")
             )?;
@@ -63,7 +63,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "\n  The computed positions deviate by at most {}.", largest(&positions))?;
     }
     if !proof.trusted.is_empty() {
-        write!(f, "\n  This proof relies on the bounds of {}.", proof.trusted.join(", "))?;
+        write!(f, "\n  This proof relies on the bounds of {}.", joined(&proof.trusted, "and"))?;
     }
     if let Some(step) = proof.first_unproved() {
         let number = step.step + 1;
@@ -78,7 +78,7 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let doubt =
         unproved.or_else(|| proof.positions.iter().find_map(|position| position.as_ref().err()));
     doubt.map_or(Ok(()), |doubt| {
-        write!(f, "{}{doubt}", if unproved.is_some() { ": " } else { "\n  " })
+        write!(f, "{}{doubt}", if unproved.is_some() { ". " } else { "\n  " })
     })
 }
 
@@ -129,15 +129,15 @@ impl fmt::Display for Unproved {
             UnprovedReason::Singular { coordinate } => {
                 write!(
                     f,
-                    "near t = {t} {s} the pose may be singular, and `{coordinate}` can move most easily at this pose."
+                    "Near t = {t} {s} the pose may be singular, and `{coordinate}` can move most easily at this pose."
                 )
             }
             UnprovedReason::Apart { equation, by } => write!(
                 f,
-                "near t = {t} {s} the interpolated positions violate `{equation}` by {by:.1e}: the ends of the step may be on different branches, or the step is too large."
+                "Near t = {t} {s} the interpolated positions violate `{equation}` by {by:.1e} (in the unit of this equation). The ends of the step may be on different branches, or the step is too large."
             ),
             UnprovedReason::Unbounded { equation, expression, source } => {
-                write!(f, "near t = {t} {s} Kin knows no bounds of `{equation}`")?;
+                write!(f, "Near t = {t} {s} Kin knows no bounds of `{equation}`")?;
                 if let Some(expression) = expression {
                     write!(f, ": `{expression}` jumps near this time, or has no value or slope")?;
                 }
@@ -211,12 +211,12 @@ mod tests {
             &[],
         );
         assert!(
-            failed.starts_with("crank: 1 of 2 steps proved.\n  The proved motion is within"),
+            failed.starts_with("crank: Kin proved 1 of 2 steps.\n  The proved motion is within"),
             "{failed}"
         );
         assert!(
             failed.ends_with(
-                "The first step without proof is step 2, from t = 1 s to 2 s: near t = 1.5 s the pose may be singular, and `x` can move most easily at this pose."
+                "The first step without proof is step 2, from t = 1 s to 2 s. Near t = 1.5 s the pose may be singular, and `x` can move most easily at this pose."
             ),
             "{failed}"
         );
@@ -230,13 +230,14 @@ mod tests {
         );
         assert!(
             alone.starts_with(
-                "crank: 1 of 2 positions proved.\n  The computed positions deviate by at most 3.0e-15 m"
+                "crank: Kin proved 1 of 2 positions.\n  The computed positions deviate by at most 3.0e-15 m"
             ),
             "{alone}"
         );
         assert!(
-            alone.contains("\n  near t = 0 s the interpolated positions violate `rod` by 1.0e-1:")
-                && !alone.contains("The proved motion is within"),
+            alone.contains(
+                "\n  Near t = 0 s the interpolated positions violate `rod` by 1.0e-1 (in the unit"
+            ) && !alone.contains("The proved motion is within"),
             "{alone}"
         );
     }
@@ -251,12 +252,12 @@ mod tests {
             )
             .to_string()
         };
-        assert_eq!(unbounded(None, None), "near t = 0.5 s Kin knows no bounds of `cam`.");
+        assert_eq!(unbounded(None, None), "Near t = 0.5 s Kin knows no bounds of `cam`.");
         let source = Source { file: "cam.rs", line: 3, column: 5 };
         assert_eq!(
             unbounded(Some("x.floor()"), Some(source)),
             format!(
-                "near t = 0.5 s Kin knows no bounds of `cam`: `x.floor()` jumps near this time, or has no value or slope ({source})."
+                "Near t = 0.5 s Kin knows no bounds of `cam`: `x.floor()` jumps near this time, or has no value or slope ({source})."
             )
         );
     }

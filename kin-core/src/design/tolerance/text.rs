@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::super::feature::Feature;
 use super::{Off, Searched, Tolerance};
+use crate::model::words::joined;
 
 /// If the corners differ from the stack by more than this share, the text says so. \[-\]
 const MISLED: f64 = 0.05;
@@ -60,7 +61,10 @@ impl fmt::Display for Tolerance {
                 one.unit
             )?;
         }
-        write!(f, "  Shares are of the worst case. Signs are for an increase of the dimension.")?;
+        write!(
+            f,
+            "  The percentages are fractions of the worst case. The signs are for an increase of the dimension."
+        )?;
         if let Some(second) = &self.second_order
             && (second.mean_shift.abs() > BENT * self.sigma()
                 || second.sigma > (1.0 + BENT) * self.sigma())
@@ -74,7 +78,7 @@ impl fmt::Display for Tolerance {
             )?;
         }
         if let Some(proved) = self.proved.as_ref().filter(|proved| !proved.trusted.is_empty()) {
-            write!(f, "\n  The proof relies on the bounds of {}.", proved.trusted.join(", "))?;
+            write!(f, "\n  The proof relies on the bounds of {}.", joined(&proved.trusted, "and"))?;
         }
         self.beyond_the_stack(f)?;
         self.looked(f)
@@ -115,7 +119,7 @@ impl Tolerance {
         self.attained().is_some_and(|off| off > (1.0 + MISLED) * self.worst_case() + rounding)
     }
 
-    /// Writes "b is off by -0.02, …".
+    /// Writes "`a` is off by 0.01 m and `b` is off by -0.02 m".
     fn place(&self, place: &[Off]) -> String {
         let unit = |name: &str| {
             let own = self.contributions.iter().find(|one| one.name == name);
@@ -131,7 +135,7 @@ impl Tolerance {
                 place.len() - NAMED
             ));
         }
-        all.join(", ")
+        joined(&all, "and")
     }
 
     fn beyond_the_stack(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

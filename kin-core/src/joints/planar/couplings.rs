@@ -32,7 +32,7 @@ pub fn gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -
 /// Signs: relative to the arm the wheel and the ring turn in the same direction. All angles are
 /// counter-clockwise positive.
 #[constraint]
-#[require(r_i > 0.0 && r_j > r_i, "the pitch radius of the ring must be above that of the wheel, and both must be above zero")]
+#[require(r_i > 0.0 && r_j > r_i, "the pitch radius of the ring must be larger than the pitch radius of the wheel, and both must be above zero")]
 pub fn internal_gear(i: Planar, j: Planar, arm: Planar, r_i: f64, r_j: f64, phase: f64) -> f64 {
     r_i * (i.theta - arm.theta - phase) - r_j * (j.theta - arm.theta)
 }

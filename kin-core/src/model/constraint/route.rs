@@ -108,10 +108,10 @@ impl fmt::Display for RouteReason {
                 write!(f, "dual: Kin cannot read {what} at {source}")
             }
             RouteReason::Asked { source: Some(source) } => {
-                write!(f, "dual: `#[constraint(dual)]` requests the dual route at {source}")
+                write!(f, "dual: `#[constraint(dual)]` at {source} requests dual numbers")
             }
             RouteReason::Asked { source: None } => {
-                f.write_str("dual: your code requests the dual route")
+                f.write_str("dual: your code requests dual numbers")
             }
             RouteReason::Hand => {
                 f.write_str("hand-written: an `impl Constraint` without the macro")

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::model::motion::{Motion, SingularKind};
 use crate::model::named_value::NamedValue;
-use crate::model::words::list;
+use crate::model::words::{joined, list};
 
 /// Why a follower stopped before the driver values that a call gave it, and where.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ pub struct CannotReach {
 impl fmt::Display for CannotReach {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let values = |all: &[NamedValue]| {
-            all.iter().map(NamedValue::to_string).collect::<Vec<_>>().join(", ")
+            joined(&all.iter().map(NamedValue::to_string).collect::<Vec<_>>(), "and")
         };
         write!(
             f,
@@ -41,21 +41,27 @@ impl fmt::Display for CannotReach {
             Some(kind) => {
                 let place = match kind {
                     SingularKind::TurningPoint => "a toggle, beyond which no position exists",
-                    SingularKind::Bifurcation => "a singular position",
+                    SingularKind::Bifurcation => {
+                        "a change point, where branches of the motion cross"
+                    }
                 };
-                write!(f, " There is {place}")?;
+                write!(f, " The follower reached {place}")?;
                 if !self.movable.is_empty() {
                     let can = list(&self.movable);
-                    write!(f, ": {can} can move there while the drivers stand still")?;
+                    write!(f, ": {can} can move at this position while the drivers stand still")?;
                 }
                 f.write_str(".")?;
                 if !self.dependent.is_empty() {
-                    write!(f, " Equations in line: {}.", list(&self.dependent))?;
+                    write!(
+                        f,
+                        " These equations depend on one another: {}.",
+                        list(&self.dependent)
+                    )?;
                 }
             }
-            None => write!(f, " The reason: {}.", self.reason)?,
+            None => write!(f, " The reason is: {}.", self.reason)?,
         }
-        f.write_str(" Give values before this place, or begin with another assembly")
+        f.write_str(" Give values before this position, or begin with another assembly")
     }
 }
 

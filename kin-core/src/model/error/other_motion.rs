@@ -8,7 +8,7 @@ use crate::model::words;
 /// At one time of the motion an equation of the system is not satisfied.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[error(
-    "the motion does not belong to \"{system}\" with its present values: at t = {} the equation `{equation}` is off by {}. Run the system again",
+    "the motion does not belong to \"{system}\" with its present values: at t = {} the equation `{equation}` has the residual {} (in the unit of this equation). Run the system again",
     words::at(*.t, .units),
     words::time(*.off)
 )]

@@ -133,7 +133,7 @@ impl Surface {
             Surface::Python => {
                 "Request a unique sum by `forces.sum([…])`, or choose a rule by `sharing=`"
             }
-            Surface::Command => "Choose equal shares by `--least-norm`",
+            Surface::Command => "Choose the forces with the smallest norm by `--least-norm`",
         }
     }
 

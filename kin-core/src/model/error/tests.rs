@@ -32,7 +32,7 @@ fn no_convergence_names_the_row_and_the_last_time() {
     let text = error.to_string();
     assert!(
         text.starts_with(
-            "Kin found no position at t = 0.31 s: after 20 iterations `B` row y is still off by 4.0e-2."
+            "Kin found no position at t = 0.31 s: after 20 iterations the residual of `B` row y is still 4.0e-2 (in the unit of this equation)."
         ),
         "{text}"
     );

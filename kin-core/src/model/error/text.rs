@@ -93,8 +93,8 @@ pub(super) fn singular(
 /// Says why Kin does not replace a guess that is a singular assembly by another assembly.
 pub(super) fn drawn(drawn: bool) -> &'static str {
     if drawn {
-        "\n  The drawn position is singular but satisfies every equation, so Kin keeps this assembly. \
-         To begin in another assembly, draw the mechanism in that assembly, or prefer the assembly by a coordinate or measure."
+        "\n  The initial guess is singular but satisfies every equation, so Kin keeps this assembly. \
+         To begin in another assembly, declare the bodies near that assembly, or prefer the assembly by a coordinate or measure."
     } else {
         ""
     }
@@ -194,7 +194,7 @@ pub(super) fn known(known: &[String]) -> String {
 /// Says how far Newton's method came.
 pub(super) fn worst(iterations: usize, constraint: &str, of: &str, residual: f64) -> String {
     format!(
-        "after {} `{constraint}`{} is still off by {residual:.1e}.",
+        "after {} the residual of `{constraint}`{} is still {residual:.1e} (in the unit of this equation).",
         count(iterations, "iteration"),
         row(of)
     )

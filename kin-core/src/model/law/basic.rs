@@ -98,7 +98,7 @@ impl LawFunction for Ramp {
     }
 
     fn description(&self) -> &str {
-        "A constant rate: f(x) = rate · x."
+        "Constant rate from zero: f(x) = rate · x."
     }
 
     fn trusted(&self) -> Vec<String> {
@@ -172,9 +172,9 @@ impl LawFunction for Polynomial {
 
     fn description(&self) -> &str {
         match self.kind {
-            "constant" => "A constant: f(x) = c.",
-            "linear" => "A line: f(x) = f0 + rate · x.",
-            _ => "A polynomial: f(x) = c[0] + c[1] x + c[2] x² + ….",
+            "constant" => "Constant value: f(x) = c.",
+            "linear" => "Straight line: f(x) = f0 + rate · x.",
+            _ => "Polynomial: f(x) = c[0] + c[1] x + c[2] x² + ….",
         }
     }
 
@@ -243,8 +243,8 @@ impl LawFunction for Sine {
 
     fn description(&self) -> &str {
         match self.kind {
-            "harmonic" => "A harmonic: f(x) = mean + amplitude · sin x.",
-            _ => "A sine: f(x) = amplitude · sin(omega · x + phase).",
+            "harmonic" => "Harmonic: f(x) = mean + amplitude · sin x.",
+            _ => "Sine: f(x) = amplitude · sin(omega · x + phase).",
         }
     }
 
@@ -330,7 +330,7 @@ impl LawFunction for Fourier {
     }
 
     fn description(&self) -> &str {
-        "A Fourier series: f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x)."
+        "Fourier series: f(x) = mean + Σ a_k cos(k · omega · x) + b_k sin(k · omega · x)."
     }
 
     fn trusted(&self) -> Vec<String> {

@@ -136,7 +136,7 @@ impl LawFunction for Sum {
     }
 
     fn description(&self) -> &str {
-        "The sum of two laws: f(x) + g(x)."
+        "Sum of two laws: f(x) + g(x)."
     }
 
     fn trusted(&self) -> Vec<String> {
@@ -195,7 +195,7 @@ impl LawFunction for Product {
     }
 
     fn description(&self) -> &str {
-        "The product of two laws: f(x) · g(x)."
+        "Product of two laws: f(x) · g(x)."
     }
 
     fn trusted(&self) -> Vec<String> {
@@ -252,7 +252,7 @@ impl LawFunction for Multiple {
     }
 
     fn description(&self) -> &str {
-        "A multiple of a law: factor · f(x)."
+        "Multiple of a law: factor · f(x)."
     }
 
     fn trusted(&self) -> Vec<String> {

@@ -166,10 +166,10 @@ impl LawFunction for Move {
     fn description(&self) -> &str {
         match self.jerk {
             Some(_) => {
-                "S-curve from rest to rest over a distance, limited in speed, acceleration and jerk: seven pieces of constant jerk."
+                "S-curve from rest to rest over a distance, with limits of speed, acceleration and jerk. The curve has seven pieces of constant jerk."
             }
             None => {
-                "Trapezoidal velocity from rest to rest over a distance: constant acceleration up to a limit of the speed."
+                "Trapezoidal velocity from rest to rest over a distance: the acceleration is constant until the speed reaches its limit."
             }
         }
     }

@@ -267,7 +267,7 @@ impl LawFunction for Quintic {
     }
 
     fn description(&self) -> &str {
-        "A quintic spline through a table, natural, clamped or periodic. It is C⁴, so acceleration and jerk are smooth."
+        "Quintic spline through the points of a table. Its ends are natural, clamped or periodic. The spline is C⁴, so acceleration and jerk are smooth."
     }
 
     fn trusted(&self) -> Vec<String> {

@@ -235,22 +235,22 @@ impl LawFunction for Rise {
     fn description(&self) -> &str {
         match self.shape {
             Shape::Harmonic => {
-                "Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)), 0 before and h after."
+                "Simple harmonic rise: f(x) = h/2 (1 − cos(π x/β)). For x < 0 f is 0, and for x > β f is h."
             }
             Shape::Cycloidal => {
-                "Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π), 0 before and h after."
+                "Cycloidal rise: f(x) = h (x/β − sin(2π x/β)/2π). For x < 0 f is 0, and for x > β f is h."
             }
             Shape::Polynomial345 => {
-                "3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵), ξ = x/β, 0 before and h after."
+                "3-4-5 polynomial rise: f(x) = h (10 ξ³ − 15 ξ⁴ + 6 ξ⁵) with ξ = x/β. For x < 0 f is 0, and for x > β f is h."
             }
             Shape::Polynomial4567 => {
-                "4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷), ξ = x/β, 0 before and h after."
+                "4-5-6-7 polynomial rise: f(x) = h (35 ξ⁴ − 84 ξ⁵ + 70 ξ⁶ − 20 ξ⁷) with ξ = x/β. For x < 0 f is 0, and for x > β f is h."
             }
             Shape::ModifiedSine => {
-                "Modified sine rise: f″ of quarter sines and a long cosine between; 0 before and h after."
+                "Modified sine rise: the acceleration f″ consists of two quarter sines and a long cosine between them. For x < 0 f is 0, and for x > β f is h."
             }
             Shape::ModifiedTrapezoid => {
-                "Modified trapezoidal rise: f″ a trapezoid with sine ramps; 0 before and h after."
+                "Modified trapezoidal rise: the acceleration f″ is a trapezoid with ramps that are parts of a sine. For x < 0 f is 0, and for x > β f is h."
             }
         }
     }

@@ -179,7 +179,7 @@ impl LawFunction for Sequence {
     }
 
     fn description(&self) -> &str {
-        "Laws one after the other, each over its length: f(x) = f_k(x − x_k)."
+        "Sequence of laws, each over its length: f(x) = f_k(x − x_k), where part k begins at x_k."
     }
 
     fn trusted(&self) -> Vec<String> {
@@ -353,7 +353,7 @@ impl LawFunction for Periodic {
     }
 
     fn description(&self) -> &str {
-        "A law that repeats its first period over and over."
+        "Periodic law: it repeats the first period of another law without end."
     }
 
     fn trusted(&self) -> Vec<String> {

@@ -229,7 +229,7 @@ impl LawFunction for Spline {
     }
 
     fn description(&self) -> &str {
-        "A cubic spline through a table, natural, clamped or periodic."
+        "Cubic spline through the points of a table. Its ends are natural, clamped or periodic."
     }
 
     fn trusted(&self) -> Vec<String> {

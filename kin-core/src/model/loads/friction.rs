@@ -5,6 +5,7 @@ use crate::model::coordinates::Target;
 use crate::model::describer::Describer;
 use crate::model::dimension::{Dimension, IntoNumber};
 use crate::model::error::Error;
+use crate::model::words::list;
 use crate::numbers::algebra::{Vec3, vec3};
 
 /// Dry friction in a joint: μ times the sum of the contact forces, times tanh(v/v₀) against the
@@ -140,7 +141,7 @@ impl Friction {
                 .or_else(|| at_least_zero("the width of the guide", width)),
         };
         let rate = "the velocity at which friction reaches its full size";
-        at_least_zero("the coefficient", self.coefficient)
+        at_least_zero("the coefficient of friction", self.coefficient)
             .or(shape)
             .or_else(|| above_zero(rate, self.rate))
     }
@@ -173,7 +174,7 @@ impl Friction {
         let seat = seat.ok_or_else(|| {
             format!(
                 "friction of a {told} needs one of the joints {}, but the joint is `{kind}`{whose}",
-                kinds.join(", ")
+                list(&kinds.iter().map(ToString::to_string).collect::<Vec<_>>())
             )
         })?;
         match self.shape {

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Event, EventKind};
 use crate::model::units::Units;
+use crate::model::words::list;
 
 /// The kind of a singular position of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -55,8 +56,7 @@ impl SingularPosition {
 
     /// Returns the position as an event.
     pub(crate) fn event(&self) -> Event {
-        let names: Vec<String> = self.movable.iter().map(|name| format!("`{name}`")).collect();
-        let can = format!("{} can move while the drivers stand still", names.join(", "));
+        let can = format!("{} can move while the drivers stand still", list(&self.movable));
         let (kind, text) = match self.kind {
             SingularKind::TurningPoint => (
                 EventKind::TurningPoint,

@@ -6,7 +6,7 @@ use super::change::{Change, GlobalPoint, Resize, Size};
 use super::gap::{Asks, Step};
 use super::text::SHOWN;
 use crate::model::error::surface::Surface;
-use crate::model::words::{apart, different, list, number, of_coordinate, value};
+use crate::model::words::{apart, different, joined, list, number, of_coordinate, value};
 
 /// The cause that a change gives, where the change has been tried; the report names it first.
 /// Lengths have this unit; none where it is empty.
@@ -18,7 +18,7 @@ pub(super) fn cause(change: &Change, unit: &str) -> Option<String> {
         Change::Resize { any } => {
             let all: Vec<String> =
                 any.iter().map(|resize| Is { resize, unit }.to_string()).collect();
-            Some(format!("One of these dimensions does not fit: {}.", all.join(", ")))
+            Some(format!("One of these dimensions does not fit: {}.", joined(&all, "or")))
         }
         Change::Allow { .. } => Some(
             "The redundant equations contradict each other by less than the accuracy of ordinary parts."
@@ -28,7 +28,7 @@ pub(super) fn cause(change: &Change, unit: &str) -> Option<String> {
             "Only one joint holds each of `{a}` and `{b}`, and nothing drives `{a}` or `{b}`."
         )),
         Change::Swap { constraint, bodies: [i, j], points: [u, v] } => Some(format!(
-            "The points of `{constraint}` are exchanged: {}{} for `{i}` is a point of `{j}`, and {}{} for `{j}` is a point of `{i}`.",
+            "The points of `{constraint}` are exchanged: {}{} belongs to the frame of `{j}`, not of `{i}`, and {}{} to the frame of `{i}`, not of `{j}`.",
             Point::of(u),
             after(unit),
             Point::of(v),
@@ -50,7 +50,7 @@ pub(super) fn cause(change: &Change, unit: &str) -> Option<String> {
         }),
         Change::Join { body } => Some(format!("No constraint holds `{body}`.")),
         Change::OtherEnd { constraints: [a, b], body, point } => Some(format!(
-            "`{a}` and `{b}` hold the same end of `{body}`, {}{}, and nothing holds the other end of `{body}`.",
+            "`{a}` and `{b}` hold the same end of `{body}`, at {}{} in the frame of `{body}`. Nothing holds the other end of `{body}`.",
             Point::of(point),
             after(unit)
         )),
@@ -99,9 +99,9 @@ fn of_number<'a>(parameter: &str, length: &'a str) -> &'a str {
     if matches!(parameter, "length" | "distance" | "radius") { length } else { "" }
 }
 
-/// "on the ground", "in `rod`"
+/// "on the ground", "in the frame of `rod`"
 fn frame(body: &Option<String>) -> String {
-    body.as_ref().map_or("on the ground".to_string(), |body| format!("in `{body}`"))
+    body.as_ref().map_or("on the ground".to_string(), |body| format!("in the frame of `{body}`"))
 }
 
 impl Resize {
@@ -273,7 +273,7 @@ impl Display for In<'_> {
                 write!(f, "join `{a}` and `{b}` by a pin, or drive or hold `{x}` and `{y}`")
             }
             Change::Loosen { constraints } => {
-                let all = quoted(constraints.iter().take(SHOWN));
+                let all = joined(&quoted(constraints.iter().take(SHOWN)), "or");
                 write!(
                     f,
                     "to let the mechanism move, replace one of the joints {all} by a joint with fewer rows, and add a motor"
@@ -295,20 +295,22 @@ impl Display for In<'_> {
     }
 }
 
-fn quoted<'a>(names: impl Iterator<Item = &'a String>) -> String {
-    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+fn quoted<'a>(names: impl Iterator<Item = &'a String>) -> Vec<String> {
+    names.map(|name| format!("`{name}`")).collect()
 }
 
 fn remove(f: &mut Formatter<'_>, constraint: &str, or: &[String]) -> Result {
     if or.is_empty() {
         return write!(f, "remove `{constraint}`");
     }
-    write!(f, "remove `{constraint}` or {}", quoted(or.iter().take(SHOWN)))?;
+    let mut all = vec![format!("`{constraint}`")];
+    all.extend(quoted(or.iter().take(SHOWN)));
     match or.len().saturating_sub(SHOWN) {
         0 => {}
-        more => write!(f, " or {more} more constraints")?,
+        1 => all.push("1 more constraint".to_string()),
+        more => all.push(format!("{more} more constraints")),
     }
-    f.write_str(", or replace one of these constraints by a measurement")
+    write!(f, "remove {}, or replace one of these constraints by a measurement", joined(&all, "or"))
 }
 
 /// The gap of a joint; without unit if its rows are no lengths.
@@ -344,7 +346,7 @@ fn local(f: &mut Formatter<'_>, points: &[GlobalPoint], unit: &str) -> Result {
     };
     let all: Vec<String> = points.iter().take(SHOWN).map(one).collect();
     let call = Surface::chosen().local("local", "body", "point");
-    write!(f, "give {}{call}", all.join(", "))
+    write!(f, "give {}{call}", joined(&all, "and"))
 }
 
 /// "keep `motor` within reach, which ends near crank.theta = 0.7638, or make `coupler` at least
@@ -373,9 +375,9 @@ fn limit(
     or.iter().try_for_each(|resize| write!(f, ", or {}", resize.advice(unit)))
 }
 
-/// Writes "row x", "rows x, y".
+/// Writes "row x", "rows x and y".
 fn rows_named(rows: &[String]) -> String {
-    format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, rows.join(", "))
+    format!("{} {}", if rows.len() == 1 { "row" } else { "rows" }, joined(rows, "and"))
 }
 
 #[cfg(test)]

@@ -17,6 +17,10 @@ pub struct Gap {
     /// The residual of each equation at the pose that satisfies all other constraints and has the
     /// smallest residual that Kin found. \[unit of the row\]
     pub residual: Vec<f64>,
+    /// The unit of each residual, such as `m` (the unit of length), `rad` or `-`; `None` if Kin
+    /// does not know the unit.
+    #[serde(default)]
+    pub row_units: Vec<Option<String>>,
     /// For a driver of one coordinate, the coordinate with its required value and the nearest
     /// possible value; `None` for other constraints. \[m or rad\]
     pub asks: Option<Asks>,
@@ -106,6 +110,9 @@ impl Gap {
     /// True if its equations are the components of a distance between two points.
     pub(super) fn is_between_points(&self) -> bool {
         let is_component = |name: &String| matches!(name.rsplit('.').next(), Some("x" | "y" | "z"));
-        !self.equations.is_empty() && self.equations.iter().all(is_component)
+        let is_length = |unit: &Option<String>| !matches!(unit.as_deref(), Some("rad" | "-" | "–"));
+        !self.equations.is_empty()
+            && self.equations.iter().all(is_component)
+            && self.row_units.iter().all(is_length)
     }
 }

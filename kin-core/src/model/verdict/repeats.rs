@@ -67,7 +67,7 @@ impl Display for Line<'_> {
         let equations: Vec<String> = equations.into_iter().map(|(_, name)| name).collect();
         write!(
             f,
-            "{} are redundant but consistent: these equations repeat {}.",
+            "{} are redundant but consistent: these equations repeat the equations of {}.",
             list(&equations),
             list(&others)
         )

@@ -12,7 +12,7 @@ use super::freedom::{BodyMotion, Freedom, How, Persistence, Play};
 use super::gap::{Asks, Gap};
 use super::gap_line::GapLine;
 use super::repeats;
-use crate::model::words::{capital, count, different, list, number, of_coordinate, time};
+use crate::model::words::{capital, count, different, joined, list, number, of_coordinate, time};
 
 /// The largest number of dependencies and of freedoms in a report.
 pub(super) const SHOWN: usize = 6;
@@ -33,7 +33,7 @@ impl Display for Diagnosis {
         match self.nearby_rank {
             rank if rank > self.rank => write!(f, " here and {rank} at nearby poses.")?,
             _ if self.dependencies.is_empty() && self.freedoms.is_empty() => write!(f, ".")?,
-            _ if self.moves => write!(f, " here and at nearby poses.")?,
+            _ if self.moves => write!(f, " here and at nearby poses.{}", self.of_rank())?,
             _ => write!(f, "; the mechanism cannot move to other poses.")?,
         }
         write!(f, "{}", self.details())
@@ -50,6 +50,22 @@ impl Display for Details<'_> {
 }
 
 impl Diagnosis {
+    /// Writes what the rank means: " So 1 degree of freedom has no driver."
+    fn of_rank(&self) -> String {
+        let free = match self.coordinates.saturating_sub(self.rank) {
+            0 => None,
+            1 => Some("1 degree of freedom has no driver".to_string()),
+            many => Some(format!("{many} degrees of freedom have no driver")),
+        };
+        let dependent = match self.equations.saturating_sub(self.rank) {
+            0 => None,
+            1 => Some("1 equation depends on other equations".to_string()),
+            many => Some(format!("{many} equations depend on other equations")),
+        };
+        let both: Vec<String> = free.into_iter().chain(dependent).collect();
+        if both.is_empty() { String::new() } else { format!(" So {}.", joined(&both, "and")) }
+    }
+
     /// Returns the report without its first line; each line begins on a new one.
     pub(crate) fn details(&self) -> impl Display {
         Details(self)
@@ -58,7 +74,7 @@ impl Diagnosis {
     fn write_details(&self, f: &mut Formatter<'_>) -> Result {
         if self.count_misleads() && self.gaps.is_empty() {
             f.write_str(
-                "\n  The numbers of equations and coordinates agree only by chance: a superfluous equation hides a missing equation.",
+                "\n  The numbers of equations and coordinates agree only by chance: a redundant equation hides a missing equation.",
             )?;
         }
         if self.gaps.is_empty() {
@@ -131,7 +147,7 @@ impl Diagnosis {
         let all = list(&names);
         write!(
             f,
-            "\n  The structure is rigid but shaky: {all} {verb} slightly like bars in line, and then no further."
+            "\n  The structure is rigid but shaky: {all} {verb} slightly, as bars in line do, and then no further."
         )?;
         let plays = stiff().filter_map(|freedom| freedom.play.as_ref());
         plays
@@ -275,9 +291,14 @@ impl Display for Dependency {
                 let names: Vec<String> =
                     self.constraints().iter().map(ToString::to_string).collect();
                 let off = number(residual.abs());
+                let per = match level {
+                    Level::Position => "",
+                    Level::Velocity => " per unit of time",
+                    Level::Acceleration => " per unit of time squared",
+                };
                 write!(
                     f,
-                    "{} {what}: the relation `{name}`{} is violated by {off}.",
+                    "{} {what}: the relation `{name}`{} is violated by {off} (in the unit of `{name}`{per}).",
                     list(&names),
                     Sum(others)
                 )
@@ -328,8 +349,13 @@ impl Display for WithUnit<'_, Freedom> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let WithUnit { told, unit } = *self;
         let one = |motion| WithUnit { told: motion, unit }.to_string();
-        let shown: Vec<String> = told.motions.iter().take(SHOWN).map(one).collect();
-        let what = shown.join(", ");
+        let mut shown: Vec<String> = told.motions.iter().take(SHOWN).map(one).collect();
+        match told.motions.len().saturating_sub(SHOWN) {
+            0 => {}
+            1 => shown.push("1 more body moves".to_string()),
+            rest => shown.push(format!("{rest} more bodies move")),
+        }
+        let what = joined(&shown, "and");
         match told.persistence {
             Persistence::Always => write!(f, "Nothing drives this freedom: {what}")?,
             Persistence::OnlyHere => write!(f, "At this pose only, this motion is free: {what}")?,
@@ -337,8 +363,9 @@ impl Display for WithUnit<'_, Freedom> {
                 write!(f, "To first order only, this motion is free: {what}")?
             }
         }
-        more(f, told.motions.len(), "body", "bodies")?;
-        f.write_str(".")
+        let is_global = |motion: &BodyMotion| !matches!(motion.how, How::Changes { .. });
+        let is_any_global = told.motions.iter().take(SHOWN).any(is_global);
+        f.write_str(if is_any_global { " (in global coordinates)." } else { "." })
     }
 }
 

@@ -52,7 +52,7 @@ impl Motion {
             displaced.iter().filter_map(|body| body.sentence(unit)).take(SHOWN).collect();
         if !told.is_empty() {
             text += &format!(
-                "\n  distance of the first position from the drawn position: {}",
+                "\n  distance of the first position from the initial guess: {}",
                 told.join(", ")
             );
         }
@@ -70,8 +70,8 @@ impl Motion {
             (compiled, _) => {
                 let back = match self.engine.handed_back {
                     0 => String::new(),
-                    1 => ", and returned to single steps once".to_string(),
-                    back => format!(", and returned to single steps {back} times"),
+                    1 => ", and Kin returned to the step-by-step solver once".to_string(),
+                    back => format!(", and Kin returned to the step-by-step solver {back} times"),
                 };
                 format!("\n  engine: {compiled} of {} compiled{back}", count(self.len(), "time"))
             }
@@ -276,7 +276,7 @@ fn hint(
     match (moved, turned) {
         (_, Some(turned)) if item.kind != Kind::Spatial && turned > TAU => {
             let text = format!(
-                "`{name}` begins {turned:.1} rad from its guess, which is more than a turn. Angles are in radians; if degrees are meant, {:.1}° is {}.",
+                "`{name}` begins {turned:.1} rad from its initial guess, which is more than a turn. Angles are in radians; if degrees are meant, {:.1}° is {}.",
                 shown(turned),
                 surface.angle(shown(turned))
             );
@@ -284,14 +284,14 @@ fn hint(
         }
         (Some(moved), _) if size > 0.0 && moved > 0.5 * size => {
             let text = format!(
-                "The first position of `{name}` is {moved:.3} {unit} from the drawn position, more than half the mechanism's size. {}.",
+                "The first position of `{name}` is {moved:.3} {unit} from its initial guess, more than half the mechanism's size. {}.",
                 surface.in_body("local", name, "point")
             );
             Some((WarningKind::FarFromDrawn, text))
         }
         (_, Some(turned)) if item.kind == Kind::Spatial && turned > FRAC_PI_2 - THERE => {
             let text = format!(
-                "The first position of `{name}` is turned by {turned:.3} rad from the drawn position. {}.",
+                "The first position of `{name}` is turned by {turned:.3} rad from its initial guess. {}.",
                 surface.in_body("local_direction", name, "h")
             );
             Some((WarningKind::FarFromDrawn, text))

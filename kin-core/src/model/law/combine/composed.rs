@@ -74,7 +74,7 @@ impl LawFunction for Composed {
     }
 
     fn description(&self) -> &str {
-        "A law of a law: f(g(x))."
+        "Composition of two laws: f(g(x))."
     }
 
     fn trusted(&self) -> Vec<String> {
