@@ -31,8 +31,13 @@ impl Follower {
 #[pymethods]
 impl Follower {
     /// Moves drivers to these values, and returns q there.
-    fn to<'py>(&self, py: Python<'py>, values: Vec<(String, f64)>) -> PyResult<Bound<'py, PyBytes>> {
-        let moved = py.detach(|| self.with(|native| native.to(values).map(|here| here.q().to_vec())));
+    fn to<'py>(
+        &self,
+        py: Python<'py>,
+        values: Vec<(String, f64)>,
+    ) -> PyResult<Bound<'py, PyBytes>> {
+        let moved =
+            py.detach(|| self.with(|native| native.to(values).map(|here| here.q().to_vec())));
         numbers::list(py, &or_raise(py, moved)?)
     }
 

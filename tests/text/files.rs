@@ -411,7 +411,7 @@ fn parameters_that_do_not_fit_are_told_by_name() {
     let cases = [
         (slot.on(slider), "the constraint takes 2 bodies and coordinates, not 1"),
         (slot.on(slider.x()).on(Ground), "the argument `i` must be a planar body"),
-        (on().with("k", 2.0), "its parameter `u_i` is missing: `.with(\"u_i\", …)`"),
+        (on().with("k", 2.0), "the parameter `u_i` is missing. Give it by `.with(\"u_i\", …)`"),
         (on().with("k", 2.0).with("u_i", 1.0), "the parameter `u_i` takes 2 numbers, not 1"),
         (
             on().with("k", Law::constant(1.0)).with("u_i", [0.0, 0.0]),

@@ -229,7 +229,7 @@ fn slips_are_told_at_their_place() {
         ("fn f(i: Planar) -> f64 { i.x() }", "a law is a function of numbers"),
         ("fn f() -> f64 { 1.0 }", "a law needs the variable"),
         ("fn f(x: f64) -> Vec2 { Vec2::new(x, x) }", "a law must return a number"),
-        ("fn f(x: f64) -> f64 { hidden(x) }", "not known here"),
+        ("fn f(x: f64) -> f64 { hidden(x) }", "Kin does not know `hidden` in this text"),
         ("fn f(x: f64) -> f64 { if x > 0.0 { f(x - 1.0) } else { x } }", "text:1"),
         ("lift", "text:1:1"),
     ] {

@@ -211,7 +211,8 @@ fn a_let_within_an_expression_is_told_at_its_word() {
     let text = "fn f(x: Coord) -> f64 { let a = 2.0 * x * let b = x + 1.0; a - 1.0 }";
     let [one] = &told(text)[..] else { panic!("{:?}", told(text)) };
     assert!(
-        one.starts_with("1:43 `let` begins a statement") && one.contains("a `;` is missing"),
+        one.starts_with("1:43 `let` begins a statement")
+            && one.contains("write `;` before this `let`"),
         "{one}"
     );
 }
@@ -222,5 +223,5 @@ fn mistakes_of_newcomers_are_named() {
     let found = told("def slot(i: Planar, k: f64) -> f64 { k }").join("\n");
     assert!(found.contains("write a function, such as `fn slot("), "{found}");
     let found = told("fn slot(i: Planar, k: f64) -> f64 { r.x - k * i.theta }").join("\n");
-    assert!(found.contains("`r` is not known here"), "{found}");
+    assert!(found.contains("Kin does not know `r` in this text"), "{found}");
 }

@@ -82,7 +82,7 @@ const WITHOUT_THE_PARAMETER: [(&str, &str, &str, &str); 8] = [
         "text_constant_beside_a_while",
         "const NAME: &str = \"slot\";\nfn series(x: Coord) -> f64 {\n    x - NAME\n}",
         "3:9",
-        "`NAME` is a constant of type `&str`: write a number in place of `@@`",
+        "`NAME` is a constant of type `&str`: write a number in place of `NAME`",
     ),
 ];
 
@@ -216,7 +216,7 @@ fn other_mistakes_of_which_rustc_speaks_are_told_too() {
         ("let y: f64; y - x", 45, "the variable has no value yet"),
         ("let all = [x, k].into_iter(); all.next().unwrap_or(0.0) - k", 63, "declare `mut all`"),
         ("assert!(x); x - k", 33, "expected a condition (bool)"),
-        ("for _ in 0..3 { break 'out; } x - k", 55, "known labels: none"),
+        ("for _ in 0..3 { break 'out; } x - k", 55, "no enclosing loop has the label"),
     ] {
         let text = format!("fn f(x: Coord, k: f64) -> f64 {{ {body} }}");
         let mistakes = Equation::read(&text).err().unwrap_or_else(|| panic!("{text} is read"));

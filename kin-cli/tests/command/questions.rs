@@ -374,7 +374,10 @@ fn a_pose_is_found_by_the_value_of_its_driver() {
             < 1e-9
     );
     let table = data(&["pose", &m, "--to", "motor=2.5"]);
-    assert!(table.starts_with("what,name,value,unit\ndriver,motor,2.5000000000000000e0,rad\n"), "{table}");
+    assert!(
+        table.starts_with("what,name,value,unit\ndriver,motor,2.5000000000000000e0,rad\n"),
+        "{table}"
+    );
     assert!(table.contains("measure,O.angle,"), "{table}");
 }
 
