@@ -198,7 +198,7 @@ def test_tolerances_are_those_on_paper():
     slopes = system.sensitivities(motion, ["crank", "rod"]).of("slider.x")
     stack = np.abs(slopes["crank"].value) * 1e-4 + np.abs(slopes["rod"].value) * 2e-4
     assert worst.worst_case == pytest.approx(stack.max()) and worst.t == motion.times[np.argmax(stack)]
-    with pytest.raises(kin.DimensionError, match="no dimension that moves the mechanism has a tolerance"):
+    with pytest.raises(kin.DimensionError, match="no dimension that changes the motion has a tolerance"):
         _, arm_, other, moved = arm()
         other.tolerance(moved, arm_.theta)
 

@@ -419,5 +419,5 @@ fn without_tolerances_there_is_no_stack() {
     let system = m.build().expect("builds");
     let motion = system.run_both([0.0, 1.0]).expect("a motion");
     let told = system.tolerance(&motion, crank.x()).expect_err("no tolerance").to_string();
-    assert!(told.contains("no dimension that moves the mechanism has a tolerance"), "{told}");
+    assert!(told.contains("no dimension that changes the motion has a tolerance"), "{told}");
 }

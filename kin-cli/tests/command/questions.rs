@@ -302,7 +302,7 @@ fn tolerances_of_an_arm_are_those_of_its_length() {
     assert!(names.lines().any(|line| line == "dimension,reach,0.5"), "{names}");
     let output = done(&["tolerance", &example("04_four_bar"), "rocker.theta", "--times", "0:1:3"]);
     assert!(
-        words(&output).contains("no dimension that moves the mechanism has a tolerance"),
+        words(&output).contains("no dimension that changes the motion has a tolerance"),
         "{}",
         words(&output)
     );

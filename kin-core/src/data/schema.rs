@@ -109,7 +109,7 @@ fn body() -> Value {
             (
                 "facing",
                 json!({
-                    "description": "The global position of a spatial body and one or two global directions of its axes, if the initial guess depends on dimensions.",
+                    "description": "If the initial guess of a spatial body depends on dimensions: its global position, and the global directions of one or two of its axes.",
                     "type": ["array", "null"], "items": named("number"), "minItems": 6, "maxItems": 9,
                 }),
             ),

@@ -191,7 +191,7 @@ fn at_break(law: &Law, x: f64, order: usize, h: f64, sizes: &[f64; 4]) -> Option
         return None;
     }
     Some(format!(
-        "at the break x = {x} {} is {:e}, but must have the value of the right side, {:e}",
+        "at the break x = {x}, {} is {:e}, but must equal the limit from the right, {:e}",
         derivative(left),
         at[left],
         after[left]

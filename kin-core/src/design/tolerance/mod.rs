@@ -197,7 +197,7 @@ impl System {
         if dimensions.is_empty() {
             let call = Surface::chosen().tolerance();
             let reason = format!(
-                "no dimension that moves the mechanism has a tolerance. Give a tolerance by {call}"
+                "no dimension that changes the motion has a tolerance. Give a tolerance by {call}"
             );
             return Err(DimensionError::invalid(DimensionError::ALL, reason));
         }

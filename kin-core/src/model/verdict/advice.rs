@@ -349,7 +349,7 @@ fn local(f: &mut Formatter<'_>, points: &[GlobalPoint], unit: &str) -> Result {
     write!(f, "give {}{call}", joined(&all, "and"))
 }
 
-/// "keep `motor` within reach, which ends near crank.theta = 0.7638, or make `coupler` at least
+/// "keep crank.theta, which `motor` drives, below about 0.7638 rad, or make `coupler` at least
 /// 0.5607 m long"
 fn limit(
     f: &mut Formatter<'_>,
@@ -357,20 +357,21 @@ fn limit(
     asks: Option<&Asks>,
     (or, unit): (&[Resize], &str),
 ) -> Result {
-    match asks.filter(|asks| asks.is_more_than_a_turn()) {
-        Some(asks) => {
-            let radians = Surface::chosen().radians(asks.asked);
+    if let Some(asks) = asks.filter(|asks| asks.is_more_than_a_turn()) {
+        let radians = Surface::chosen().radians(asks.asked);
+        write!(f, "give `{constraint}` an angle in radians ({radians}), or ")?;
+    }
+    match asks {
+        Some(Asks { coordinate, asked, stands, .. }) => {
+            let side = if asked > stands { "below" } else { "above" };
+            let [_, stands] = different(*asked, *stands);
+            let of = of_coordinate(coordinate, unit);
             write!(
                 f,
-                "give `{constraint}` an angle in radians ({radians}), or keep `{constraint}` within reach"
+                "keep {coordinate}, which `{constraint}` drives, {side} about {stands}{of}"
             )?;
         }
         None => write!(f, "keep `{constraint}` within reach")?,
-    }
-    if let Some(Asks { coordinate, asked, stands, .. }) = asks {
-        let [_, stands] = different(*asked, *stands);
-        let of = of_coordinate(coordinate, unit);
-        write!(f, ", which ends near {coordinate} = {stands}{of}")?;
     }
     or.iter().try_for_each(|resize| write!(f, ", or {}", resize.advice(unit)))
 }
