@@ -6,6 +6,7 @@ use kin::law::Ends;
 use kin::prelude::*;
 use kin::{Error, vec2};
 use serde::{Deserialize, Serialize};
+use serde_json::json;
 
 use crate::engines::Engines;
 
@@ -188,31 +189,37 @@ fn mistakes_in_data_are_told_by_name() {
         (
             r#""kind":"revolute""#,
             r#""kind":"revolut""#,
-            "constraint `pin`: unknown constraint `revolut`: add it with `Registry::with::<revolut>()`",
+            "constraint `pin`: unknown constraint `revolut`. Did you mean `revolute`? Use one of \
+             `revolute`, ",
         ),
         (
             r#"{"planar":"arm"}"#,
             r#"{"spatial":"arm"}"#,
-            "constraint `pin`: no `revolute` is known with these 2 arguments",
+            "constraint `pin`: no `revolute` is known with these 2 arguments, (planar body, spatial \
+             body). `revolute` takes (planar body, planar body) or (spatial body, spatial body)",
         ),
         (r#"{"planar":"arm"}"#, r#"{"planar":"leg"}"#, "constraint `pin`: no planar body `leg`"),
-        (r#""u_j":[-0"#, r#""u_k":[-0"#, "constraint `pin`: its parameter `u_j` is missing"),
+        (
+            r#""u_j":[-0"#,
+            r#""u_k":[-0"#,
+            "constraint `pin`: its parameter `u_j` is missing. Is it meant by `u_k`?",
+        ),
         (r#""u_j":[-0"#, r#""k":1,"u_j":[-0"#, "constraint `pin`: `revolute` has no parameter `k`"),
         (
             r#""u_i":[0.0,0.0]"#,
             r#""u_i":[0.0]"#,
             "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2 values",
         ),
+        (r#""kind":"cubic""#, r#""kind":"quartic""#, "unknown law `quartic`. Use one of `c"),
         (
-            r#""kind":"cubic""#,
-            r#""kind":"quartic""#,
-            "unknown law `quartic`: add it with `Registry::with_law`",
+            r#""amplitude":0.5"#,
+            r#""size":0.5"#,
+            "the law `cubic` lacks the number `amplitude`. Is it meant by `size`?",
         ),
-        (r#""amplitude":0.5"#, r#""size":0.5"#, "the law `cubic` lacks the number `amplitude`"),
         (
             r#"{"Up":2.0}"#,
             r#"{"Down":2.0}"#,
-            "constraint `slot`: its parameter `bend`: unknown variant `Down`",
+            "constraint `slot`: its parameter `bend`: it cannot be `Down`. Use one of `Up`, `Flat`",
         ),
         (r#""format":1"#, r#""format":2"#, "a newer Kin has written its format 2, but Kin "),
         (r#""format":1"#, r#""format":2,"colour":3"#, " reads format 1. Update Kin"),
@@ -222,13 +229,202 @@ fn mistakes_in_data_are_told_by_name() {
             r#""guess":[0.2,0.1]"#,
             "body `slider`: it has 3 coordinates; its guess has 2",
         ),
-        (r#""guess":[0.2,"#, r#""guess":[null,"#, "invalid type: null"),
+        (
+            r#""guess":[0.2,"#,
+            r#""guess":[null,"#,
+            "`/bodies/0/guess/0` is `null`. Write a number, or an expression of dimensions",
+        ),
     ] {
         let message = changed(from, to);
         assert!(message.contains(expected), "{message}\nexpected: {expected}");
     }
     let unknown = Mechanism::from_data(&model().unwrap().data().unwrap(), &Registry::new());
     assert!(matches!(unknown, Err(Error::Data { place, .. }) if place == "constraint `slot`"));
+}
+
+/// A name that nothing has is told with the names that there are: the one that is meant, the most
+/// similar one first, and no more than eight.
+#[test]
+fn unknown_names_in_data_are_told_with_the_known_ones() -> kin::Result<()> {
+    let mut m = Mechanism::new("names");
+    let crank = m.link("crank", 0.1)?;
+    let mut rods = Vec::new();
+    for k in 0..10 {
+        rods.push(m.link(&format!("rod {k}"), 0.2)?);
+    }
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start()))?;
+    m.add("A", revolute(crank, rods[0], crank.end(), rods[0].start()))?;
+    m.add("hold", coupling(rods[1].theta(), rods[2].theta(), 1.0, -1.0, 0.0))?;
+    m.add("motor", drive_angle(crank, Law::ramp(1.0)))?;
+    m.spatial("cube", SpatialPose::at(vec3(0.0, 0.0, 0.0)))?;
+    let told = |change: &dyn Fn(&mut serde_json::Value)| -> String {
+        let mut file = serde_json::to_value(m.data().expect("data")).expect("JSON");
+        change(&mut file);
+        let data = MechanismData::read(&file.to_string());
+        let read = data.and_then(|data| Mechanism::from_data(&data, &Registry::new()));
+        read.err().map(|error| error.to_string()).unwrap_or_default()
+    };
+    let argument = |constraint: usize, argument: serde_json::Value| {
+        told(&move |file| file["constraints"][constraint]["arguments"][1] = argument.clone())
+    };
+    assert_eq!(
+        argument(0, json!({ "planar": "carnk" })),
+        "constraint `O`: no planar body `carnk`. Did you mean `crank`? Use one of `crank`, `rod 0`, \
+         `rod 1`, `rod 2`, `rod 3`, `rod 4`, `rod 5`, `rod 6` and 3 more"
+    );
+    assert_eq!(
+        argument(0, json!({ "planar": "cube" })),
+        "constraint `O`: no planar body `cube`: `cube` is a spatial body, as an argument {\"spatial\": \
+         \"cube\"}"
+    );
+    assert_eq!(
+        argument(0, json!({ "planar": "ground" })),
+        "constraint `O`: no planar body `ground`. The ground is null: {\"planar\": null}"
+    );
+    let told_coordinate = argument(2, json!({ "coord": "crank.tehta" }));
+    let expected = "constraint `hold`: no coordinate `crank.tehta`. Did you mean `crank.theta`? Use \
+                    one of `crank.theta`, `crank.R_x`, ";
+    assert!(told_coordinate.starts_with(expected), "{told_coordinate}");
+    let kind = told(&|file| file["constraints"][3]["kind"] = json!("drive_angel"));
+    let expected = "constraint `motor`: unknown constraint `drive_angel`. Did you mean \
+                    `drive_angle`? Use one of `drive_angle`, ";
+    assert!(kind.starts_with(expected) && kind.contains(" more, or add a "), "{kind}");
+    assert_eq!(kind.matches('`').count(), 2 * (1 + 1 + 1 + 8 + 1), "{kind}");
+    let parameter = told(&|file| file["constraints"][0]["parameters"]["u_k"] = json!(1.0));
+    let expected =
+        "constraint `O`: `revolute` has no parameter `u_k`. Use one of `u_i`, `u_j`".to_string();
+    assert_eq!(parameter, expected);
+    let law = told(&|file| file["constraints"][3]["parameters"]["law"]["kind"] = json!("rampe"));
+    assert!(law.contains("unknown law `rampe`. Did you mean `ramp`? Use one of `ramp`, "), "{law}");
+    let load = json!([{ "name": "push", "parts": [{ "on_body": { "body": "cranc" } }] }]);
+    let load = told(&|file| file["loads"] = load.clone());
+    assert!(load.starts_with("load `push`: no body `cranc`. Did you mean `crank`? Use "), "{load}");
+    let mut sized = Mechanism::new("dimensions");
+    sized.dimension("crank", 0.1)?;
+    sized.dimension("rod", 0.3)?;
+    let expression = sized.expression("2 * crnk").map(|_| ()).map_err(|error| error.to_string());
+    let expected = "dimensions: the expression `2 * crnk`: there is no dimension `crnk`. Did you \
+                    mean `crank`? Use one of `crank`, `rod`";
+    assert_eq!(expression, Err(expected.to_string()));
+    Ok(())
+}
+
+/// A body cannot take the name of the ground: the error says how to use the ground.
+#[test]
+fn a_body_named_ground_is_refused_with_the_cure() {
+    let expected = "a body cannot have the name `ground`: every mechanism has the ground already. Use \
+                    `Ground` in joints, or choose another name for a body that moves";
+    let mut m = Mechanism::new("ground");
+    let told = |error: Error| error.to_string();
+    assert_eq!(m.link("ground", 0.1).map(|_| ()).map_err(told), Err(expected.to_string()));
+    let pose = SpatialPose::at(vec3(0.0, 0.0, 0.0));
+    assert!(matches!(m.spatial("ground", pose), Err(Error::DuplicateName { .. })));
+    assert!(m.angle("ground", 0.1).is_ok(), "a coordinate is no body");
+    let file = json!({ "name": "ground", "constraints": [],
+        "bodies": [{ "name": "ground", "kind": "planar", "guess": [0, 0, 0] }] });
+    let data = MechanismData::read(&file.to_string()).expect("data");
+    let read = Mechanism::from_data(&data, &Registry::new()).map(|_| ()).map_err(told);
+    assert_eq!(read, Err(expected.to_string()));
+}
+
+/// A slip in the text of a file is told with line, column and path, the key, what is known there,
+/// and the cure, in no words of serde.
+#[test]
+fn a_slip_in_the_text_of_a_file_names_its_place_and_the_cure() {
+    let text = "{ \"name\": \"arm\",\n  \"bodies\": [\n    { \"name\": \"crank\", \"kind\": \"planar\", \
+                \"guess\": [0, 0, 0] } ],\n  \"constraints\": [\n    { \"name\": \"motor\", \"kind\": \
+                \"drive_angle\",\n      \"arguments\": [{ \"planar\": \"crank\" }],\n      \"parameters\": {} } ] }";
+    assert!(MechanismData::read(text).is_ok());
+    let slips = [
+        (
+            "\"guess\"",
+            "\"gues\"",
+            "line 3, column 42: `/bodies/0` has no key `gues`. Did you mean `guess`? Use one of `guess`, `name`, \
+             `kind`, `preferred`, `length`, `between`, `facing`",
+        ),
+        (
+            ", \"kind\": \"planar\"",
+            "",
+            "line 3, column 5: `/bodies/0` lacks the key `kind`. Add it",
+        ),
+        (
+            "\"planar\": \"crank\"",
+            "\"planer\": \"crank\"",
+            "line 6, column 21: `/constraints/0/arguments/0` cannot be `planer`. Did you mean `planar`? \
+             Use one of `planar`, `spatial`, `coord`, `ground_coord`, `spatial_ground_coord`",
+        ),
+        (
+            "{ \"planar\": \"crank\" }",
+            "\"crank\"",
+            "`/constraints/0/arguments/0` cannot be `crank`. Use one of `planar`, ",
+        ),
+        (
+            "{ \"planar\": \"crank\" }",
+            "3",
+            "line 6, column 21: `/constraints/0/arguments/0` is the number 3. Write a known word in \
+             quotes, or an object with one known key",
+        ),
+        (
+            "[0, 0, 0]",
+            "[0, true, 0]",
+            "line 3, column 55: `/bodies/0/guess/1` is `true`. Write a number, or an expression of dimensions",
+        ),
+        ("[0, 0, 0]", "0", "`/bodies/0/guess` is the number 0. Write a list in [ ]"),
+        ("{} }", "[] }", "`/constraints/0/parameters` is a list. Write an object in { }"),
+        ("\"arm\"", "7", "line 1, column 11: `/name` is the number 7. Write a text in quotes"),
+        (
+            "0] } ],",
+            "0], } ],",
+            "line 3, column 62: in `/bodies/0` a comma has nothing behind it. Remove the comma",
+        ),
+        (
+            "{} } ] }",
+            "{} }",
+            "line 7, column 24: in `/constraints` the text ends inside a list. Close",
+        ),
+        ("\"arm\",", "\"arm\"", "an object goes on without a comma, or has no end. Add `,` or `}`"),
+        (
+            "[0, 0",
+            "[0 0",
+            "in `/bodies/0/guess` a list goes on without a comma, or has no end. Add",
+        ),
+        ("\"arm\"", "'arm'", "column 11: a text has single quotes. Write it in double quotes"),
+        ("[0, 0", "[NaN, 0", "in `/bodies/0/guess` JSON has no `NaN`. Write a number, or leave"),
+        ("[0, 0", "[.5, 0", "`.5` is no number of JSON. Write it like 0.5, -2 or 1e-3"),
+        ("\"bodies\": [", "// bodies\n \"bodies\": [", "JSON has no comments"),
+        ("\"name\": \"arm\"", "name: \"arm\"", "a key has no quotes. Write \"key\": value"),
+        ("} ] }", "} ] } }", "the text goes on after its last `}`. Remove what follows"),
+    ];
+    let mut failed = String::new();
+    for (from, to, told) in slips {
+        assert!(text.contains(from), "{from}");
+        let slip = match from {
+            "{} } ] }" | "} ] }" => {
+                let at = text.rfind(from).unwrap_or_default();
+                format!("{}{to}", &text[..at])
+            }
+            _ => text.replacen(from, to, 1),
+        };
+        let error = MechanismData::read(&slip).expect_err(told).to_string();
+        if !error.contains(told) {
+            failed += &format!("{error}\nexpected: {told}\n");
+        }
+        for word in ["field", "variant", "EOF", "invalid", "expected", " at line", "struct", "map"]
+        {
+            assert!(!error.contains(word), "{error}: {word}");
+        }
+    }
+    assert!(failed.is_empty(), "{failed}");
+    let empty = MechanismData::read(" \n").expect_err("empty").to_string();
+    assert!(empty.contains("the file is empty"), "{empty}");
+    let along = json!([{ "name": "push", "parts": [{ "along": { "x": { "measure": "A.slide", "arguments": [] },
+        "force": { "kind": "gas" } } }] }]);
+    let end = text.rfind(" }").unwrap_or_default();
+    let loads = format!("{}, \"loads\": {along} }}", &text[..end]);
+    let error = MechanismData::read(&loads).expect_err("two forms").to_string();
+    let expected =
+        "`/loads/0/parts/0/along/x`: with `measure` there is no key `arguments`. Remove one";
+    assert!(error.contains(expected), "{error}");
 }
 
 /// Files of the first days, without equations and dimensions, give the motion of those of today.
@@ -268,25 +464,18 @@ fn numbers_that_a_law_does_not_have_are_told_by_name() {
 fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     for (from, twice, told) in [
         (r#""u_i":[0.0,0.0]"#, r#""u_i":[5.0,5.0]"#, "the key `u_i` appears twice"),
-        (r#""Up":2.0"#, r#""Up":3.0"#, "the key `Up` appears twice in `bend`"),
         (
-            r#""rate":2.0"#,
-            r#""rate":3.0"#,
-            "the key `rate` appears twice in `law.parts.inner.numbers`",
+            r#""Up":2.0"#,
+            r#""Up":3.0"#,
+            "the key `Up` appears twice in `constraints[0].parameters.bend`",
         ),
-        (
-            r#""kind":"cubic""#,
-            r#""kind":"ramp""#,
-            "the key `kind` appears twice in `rise.parts.law.parts.",
-        ),
-        (r#""name":"slider""#, r#""name":"other""#, "duplicate field `name`"),
-        (r#""format":1"#, r#""format":1"#, "duplicate field `format`"),
+        (r#""rate":2.0"#, r#""rate":3.0"#, "parameters.law.parts.inner.numbers`"),
+        (r#""kind":"cubic""#, r#""kind":"ramp""#, "parameters.rise.parts.law.parts."),
+        (r#""name":"slider""#, r#""name":"other""#, "the key `name` appears twice in `bodies[0]`"),
+        (r#""format":1"#, r#""format":1"#, "the key `format` appears twice. Remove "),
     ] {
         let message = changed(from, &format!("{from},{twice}"));
-        assert!(
-            message.contains(told) && message.contains(" at line 1 column "),
-            "{message}: {told}"
-        );
+        assert!(message.contains(told) && message.contains("line 1, column "), "{message}: {told}");
     }
     let law: Result<LawData, _> =
         serde_json::from_str(r#"{"kind": "ramp", "numbers": {"rate": 2, "rate": 3}}"#);
@@ -296,7 +485,7 @@ fn a_key_twice_in_a_file_is_an_error_that_names_it() {
     let twice = text.replacen(r#""times":"#, r#""times":[1.0],"times":"#, 1);
     assert!(
         MotionData::read(&twice)
-            .is_err_and(|error| error.to_string().contains("duplicate field `times`"))
+            .is_err_and(|error| error.to_string().contains("the key `times` appears twice"))
     );
     let load = r#"{"name": "l", "parts": [{"on_body": {"body": "arm", "force": [{"numbers": {"c": 1, "c": 2}}, {}, {}]}}]}"#;
     let load: Result<kin::data::LoadData, _> = serde_json::from_str(load);

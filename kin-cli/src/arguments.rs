@@ -5,7 +5,7 @@ use clap_complete::Shell;
 
 use crate::points::{NamedPoint, Setting, Shard};
 use crate::say::Format;
-use crate::times::Times;
+use crate::times::{self, Times};
 
 /// Runs, checks, diagnoses, proves, sweeps and draws mechanism files.
 ///
@@ -84,7 +84,7 @@ pub struct Motion {
     pub other_branch_at: Vec<usize>,
     /// How much work the run may spend on smaller steps of time than those asked for, as a multiple
     /// of the usual
-    #[arg(long, value_name = "MULTIPLE", default_value_t = 1.0)]
+    #[arg(long, value_name = "MULTIPLE", default_value_t = 1.0, value_parser = times::plain)]
     pub effort: f64,
     #[command(flatten)]
     pub misfit: AllowedMisfit,
@@ -95,7 +95,7 @@ pub struct Motion {
 pub struct AllowedMisfit {
     /// How far redundant equations may contradict one another, as a share of the mechanism's size,
     /// from 0 to 0.1; parts of ordinary accuracy need more than the 0 of equations that agree
-    #[arg(long = "allowed-misfit", value_name = "SHARE", default_value_t = 0.0)]
+    #[arg(long = "allowed-misfit", value_name = "SHARE", default_value_t = 0.0, value_parser = times::plain)]
     pub share: f64,
 }
 
@@ -157,7 +157,7 @@ pub struct Check {
     #[command(flatten)]
     pub model: Model,
     /// The time at which it is assembled   [s]
-    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true, value_parser = times::time)]
     pub at: f64,
     /// Lists names and values of all dimensions, parameters and coordinates, and names of measures,
     /// as CSV on standard output
@@ -172,7 +172,7 @@ pub struct Diagnose {
     #[command(flatten)]
     pub model: Model,
     /// The time   [s]
-    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true, value_parser = times::time)]
     pub at: f64,
     /// The diagnosis as JSON
     #[arg(long, value_name = "FILE")]
@@ -184,7 +184,7 @@ pub struct Assemblies {
     #[command(flatten)]
     pub model: Model,
     /// The time   [s]
-    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true, value_parser = times::time)]
     pub at: f64,
     /// The file for the table; `-` means standard output
     #[arg(long, value_name = "FILE", default_value = "-")]
@@ -279,10 +279,10 @@ pub struct Tolerance {
     pub proved: bool,
     /// Also samples this many random mechanisms: mean, σ, quantiles, and the number that cannot be
     /// assembled
-    #[arg(long, value_name = "COUNT")]
+    #[arg(long, value_name = "COUNT", value_parser = times::count)]
     pub samples: Option<usize>,
     /// The same seed gives the same samples
-    #[arg(long, default_value_t = 1, requires = "samples")]
+    #[arg(long, default_value_t = 1, requires = "samples", value_parser = times::seed)]
     pub seed: u64,
     /// The distribution of dimensions without one in the file
     #[arg(long, value_enum, default_value = "normal", requires = "samples")]

@@ -19,7 +19,8 @@ impl FromStr for NamedPoint {
         let form = "write NAME=BODY:X,Y, such as P=coupler:0.2,1.4; a point in space needs Z too";
         let (name, rest) = text.split_once('=').ok_or(form)?;
         let (body, local) = rest.rsplit_once(':').ok_or(form)?;
-        let local = local.split(',').map(number).collect::<Result<Vec<f64>, String>>()?;
+        let local = local.split(',').map(number).collect::<Result<Vec<f64>, String>>();
+        let local = local.map_err(|reason| format!("the point of `{body}`: {reason}"))?;
         if name.is_empty() || body.is_empty() || !matches!(local.len(), 2 | 3) {
             return Err(form.to_string());
         }
@@ -39,7 +40,12 @@ impl FromStr for Setting {
 
     fn from_str(text: &str) -> Result<Self, String> {
         let (name, value) = text.rsplit_once('=').ok_or("write NAME=VALUE, such as slot.k=2.5")?;
-        Ok(Setting { name: name.to_string(), value: number(value)? })
+        let value = number(value).map_err(|reason| {
+            format!(
+                "the value of `{name}`: {reason}. `kin check FILE --names` lists today's values; lengths are in m and angles in rad, unless the file names other units"
+            )
+        })?;
+        Ok(Setting { name: name.to_string(), value })
     }
 }
 

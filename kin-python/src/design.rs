@@ -8,12 +8,15 @@ use kin::results::SingularPosition;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
 
-use crate::fault::{or_raise, unreadable, value};
+use crate::fault::{or_raise, value};
 use crate::held::HeldSensitivities;
 use crate::measured::{Measured, What};
 use crate::motion::Motion;
 use crate::numbers;
 use crate::system::System;
+
+/// The mistake of data that are no toggle.
+const NO_TOGGLE: &str = "`toggle` is one of the singular positions of a motion, such as `error.motion.singular_positions[-1]`";
 
 /// Names, each with the lists of its value and its rates.
 type Derived<'py> = Vec<(String, Vec<Bound<'py, PyBytes>>)>;
@@ -116,8 +119,7 @@ pub fn toggle_by(
     toggle: &str,
     names: Vec<String>,
 ) -> PyResult<Vec<f64>> {
-    let toggle: SingularPosition =
-        serde_json::from_str(toggle).map_err(|error| unreadable(&error))?;
+    let toggle: SingularPosition = serde_json::from_str(toggle).map_err(|_| value(NO_TOGGLE))?;
     let system = system.now();
     or_raise(py, py.detach(|| system.toggle_by(&toggle, &names)))
 }

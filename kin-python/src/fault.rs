@@ -189,3 +189,13 @@ fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
         _ => return None,
     })
 }
+
+/// The error of a name that nothing in Python's part has: `kin.UnknownName` with the known names,
+/// the most similar one first.
+#[pyfunction]
+pub fn unknown(py: Python<'_>, what: &str, name: String, known: Vec<String>) -> PyResult<()> {
+    const KINDS: [&str; 5] =
+        ["body or coordinate", "column", "dimension", "parameter", "parameter of the derivatives"];
+    let what = KINDS.into_iter().find(|kind| *kind == what).unwrap_or("column");
+    Err(raised(py, Error::UnknownName { what, name, known }))
+}

@@ -38,6 +38,8 @@ mod _native {
     #[pymodule_export]
     use crate::equation::Equation;
     #[pymodule_export]
+    use crate::fault::unknown;
+    #[pymodule_export]
     use crate::follower::Follower;
     #[pymodule_export]
     use crate::forces::{Forces, solid_joined, solid_of, solid_turned};

@@ -114,7 +114,7 @@ def test_errors_of_a_run_are_in_words_of_python():
     assert "the option `memory` allows" in str(found.value) and "::" not in str(found.value)
     with pytest.raises(kin.InvalidTimes, match=r"`np.linspace\(0.0, 1.0, 101\)`"):
         system.run([])
-    with pytest.raises(kin.DataError, match="neither the library nor `equations` in the file has it"):
+    with pytest.raises(kin.DataError, match="unknown constraint `drove`. Did you mean `drive`.*, or give the text .* in `equations`"):
         kin.Mechanism.from_json(m.to_json().replace('"drive"', '"drove"'))
 
 

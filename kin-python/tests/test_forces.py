@@ -52,9 +52,9 @@ def test_a_driven_pendulum_is_the_closed_form():
     np.testing.assert_allclose(on.in_body().force, np.stack([along, across], axis=1), atol=1e-11)
     np.testing.assert_allclose(on.at(arm_.end).torque, -L * across, atol=1e-11)
     np.testing.assert_allclose(on.about((1.0, 0.0)).torque, -pin[:, 1], atol=1e-11)
-    np.testing.assert_allclose(forces.on_ground().on(m.ground).force, -pin, atol=1e-11)
+    np.testing.assert_allclose(forces.on_ground.on(m.ground).force, -pin, atol=1e-11)
     # The pin holds the whole torque of the motor against the ground: the shaking moment about the origin.
-    np.testing.assert_allclose(forces.on_ground().on(m.ground).torque, -torque, atol=1e-11)
+    np.testing.assert_allclose(forces.on_ground.on(m.ground).torque, -torque, atol=1e-11)
     np.testing.assert_allclose(forces.sum(["O", "motor"]).on(arm_).force, pin, atol=1e-11)
     np.testing.assert_allclose(forces.reaction("motor").power.value, torque * omega, atol=1e-11)
     np.testing.assert_allclose(forces.energy.kinetic.value, 0.5 * (J + M * R**2) * omega**2, atol=1e-12)

@@ -194,7 +194,7 @@ def test_laws_refuse_what_is_no_number():
 
 
 def test_the_range_of_a_law_is_that_of_its_table():
-    assert kin.Law.spline([0, 1, 2], [0, 1, 4]).range() == kin.LawRange(0.0, 2.0, "line")
-    assert (kin.Law.spline([0, 1, 2], [0, 1, 4]) / 2).range() == kin.LawRange(0.0, 2.0, "line")
-    assert kin.Law.sequence(0.0, [(1.0, kin.Law.constant(2.0))]).range().last == 1.0
-    assert kin.Law.sine(1.0, 2.0).range() is None
+    assert kin.Law.spline([0, 1, 2], [0, 1, 4]).range == kin.LawRange(0.0, 2.0, "line")
+    assert (kin.Law.spline([0, 1, 2], [0, 1, 4]) / 2).range == kin.LawRange(0.0, 2.0, "line")
+    assert kin.Law.sequence(0.0, [(1.0, kin.Law.constant(2.0))]).range.last == 1.0
+    assert kin.Law.sine(1.0, 2.0).range is None

@@ -1,5 +1,6 @@
 //! Finds names that a program can define but a text does not define.
 
+use kin_graph::{Function, Function2};
 use kin_language::error::Mistakes;
 use kin_language::lower::template::Template;
 use kin_language::lower::{Failure, Lowered};
@@ -37,7 +38,12 @@ fn unknown(template: &Template, items: &[Item]) -> Error {
                     "`{name}` is a constant of type `{ty}`: write a number in place of `{name}`"
                 )
             }
-            None => format!("Kin does not know `{name}` in this text: {}", meant(&name, around)),
+            None => match method(template, &name) {
+                Some(call) => format!("`{name}` is a method of a number here: write `{call}`"),
+                None => {
+                    format!("Kin does not know `{name}` in this text: {}", meant(&name, around))
+                }
+            },
         },
         None => format!("Kin does not know this expression: {BESIDE}"),
     };
@@ -54,6 +60,57 @@ fn path(template: &Template) -> Option<(String, &[Ident])> {
         Template::Field(inner, ..) => path(inner),
         _ => None,
     }
+}
+
+/// The call of a method that a call of a function such as `sin(x)` means.
+fn method(template: &Template, name: &str) -> Option<String> {
+    let (callee, count, within) = called(template)?;
+    let is_power = name == "pow";
+    let is_known =
+        is_power || Function::from_method(name).is_some() || Function2::from_method(name).is_some();
+    let texts = arguments(&within.source_text().unwrap_or_default());
+    // Names in the place of arguments whose text is not at hand.
+    let texts = match texts.len() == count {
+        true => texts,
+        false => ["x", "y"].iter().take(count).map(|name| name.to_string()).collect(),
+    };
+    let is_function = is_known && matches!(callee, Template::Path(..));
+    let (first, rest) = texts.split_first().filter(|_| is_function)?;
+    let is_whole = rest.first().is_some_and(|text| text.parse::<i32>().is_ok());
+    let name = match (is_power, is_whole) {
+        (true, true) => "powi",
+        (true, false) => "powf",
+        _ => name,
+    };
+    let is_one = first.chars().all(|c| c.is_alphanumeric() || "_.".contains(c));
+    let first = if is_one { first.clone() } else { format!("({first})") };
+    Some(format!("{first}.{name}({})", rest.join(", ")))
+}
+
+/// The function of the innermost call, the number of its arguments, and their parentheses.
+fn called(template: &Template) -> Option<(&Template, usize, Span)> {
+    match template {
+        Template::Call(callee, arguments, within) => Some((callee, arguments.len(), *within)),
+        Template::Field(inner, ..) | Template::Method(inner, ..) => called(inner),
+        _ => None,
+    }
+}
+
+/// The arguments in the text of parentheses, such as "(x, 2.0)".
+fn arguments(text: &str) -> Vec<String> {
+    let Some(inside) = text.strip_prefix('(').and_then(|text| text.strip_suffix(')')) else {
+        return Vec::new();
+    };
+    let mut depth = 0;
+    let mut all = vec![String::new()];
+    for c in inside.chars() {
+        depth += i32::from("([{".contains(c)) - i32::from(")]}".contains(c));
+        match all.last_mut() {
+            Some(last) if c != ',' || depth > 0 => last.push(c),
+            _ => all.push(String::new()),
+        }
+    }
+    all.iter().map(|one| one.trim().to_string()).filter(|one| !one.is_empty()).collect()
 }
 
 /// The type of the constant of that name.

@@ -368,7 +368,7 @@ fn what_makes_no_sense_is_refused_in_words() {
         (Law::cycloidal(1.0, 0.0), "length of a rise"),
         (Law::trapezoidal(1.0, -1.0, 1.0), "above zero"),
         (Law::s_curve(1.0, 1.0, 1.0, 0.0), "above zero"),
-        (Law::spline(&[(0.0, 1.0)], Ends::Natural), "1 points. Give at least 2"),
+        (Law::spline(&[(0.0, 1.0)], Ends::Natural), "1 point. Give at least 2"),
         (Law::spline(&[(0.0, 1.0), (0.0, 2.0)], Ends::Natural), "must increase"),
         (
             Law::spline(&[(0.0, 1.0), (1.0, 2.0), (2.0, 3.0)], Ends::Periodic),

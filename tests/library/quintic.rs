@@ -164,7 +164,7 @@ fn tables_through_which_no_quintic_spline_goes() {
     let refusal =
         |table: &[(f64, f64)], ends| Law::quintic_spline(table, ends).refusal().expect("refused");
     assert!(
-        refusal(&[(0.0, 1.0)], Ends::Natural).contains("quintic_spline: the table has 1 points")
+        refusal(&[(0.0, 1.0)], Ends::Natural).contains("quintic_spline: the table has 1 point;")
     );
     assert!(refusal(&[(0.0, 1.0), (0.0, 2.0)], Ends::Natural).contains("does not increase"));
     assert!(

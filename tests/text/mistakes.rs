@@ -225,3 +225,31 @@ fn mistakes_of_newcomers_are_named() {
     let found = told("fn slot(i: Planar, k: f64) -> f64 { r.x - k * i.theta }").join("\n");
     assert!(found.contains("Kin does not know `r` in this text"), "{found}");
 }
+
+/// Powers and functions as other languages write them: the error has the expression of this one.
+#[test]
+fn powers_and_functions_of_other_languages_are_told_as_methods() {
+    for (body, expected) in [
+        ("x ** 2", "`**` is no power: write `x.powi(2)`"),
+        ("x**2 - k", "`**` is no power: write `x.powi(2)`"),
+        ("2.0 * x ** 2", "`**` is no power: write `x.powi(2)`"),
+        ("-x ** 0.5", "`**` is no power: write `x.powf(0.5)`"),
+        ("x ** k", "`**` is no power: write `x.powf(k)`"),
+        ("x ** -2", "`**` is no power: write `x.powi(-2)`"),
+        ("(x + k) ** 2", "`**` is no power: write `(x + k).powi(2)`"),
+        ("sin(x)", "`sin` is a method of a number here: write `x.sin()`"),
+        ("k - sin(x)", "`sin` is a method of a number here: write `x.sin()`"),
+        ("sqrt(x + k)", "`sqrt` is a method of a number here: write `(x + k).sqrt()`"),
+        ("atan2(x, k)", "`atan2` is a method of a number here: write `x.atan2(k)`"),
+        ("pow(x, 2)", "`pow` is a method of a number here: write `x.powi(2)`"),
+        ("pow(x, k)", "`pow` is a method of a number here: write `x.powf(k)`"),
+    ] {
+        let text = format!("fn f(x: Coord, k: f64) -> f64 {{ {body} }}");
+        let told = told(&text);
+        assert!(told.iter().any(|one| one.ends_with(expected)), "{body}: {told:?}");
+    }
+    // A product with what a reference refers to is no power.
+    let text = "fn f(x: Coord) -> f64 { let y = 2.0; let z = &y; x * *z }";
+    assert!(told(text).is_empty(), "{:?}", told(text));
+    assert!(Equation::read("fn f(x: Coord, k: f64) -> f64 { x.powi(2) + k.sin() }").is_ok());
+}

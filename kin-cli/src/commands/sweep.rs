@@ -84,6 +84,15 @@ fn cases(file: &str) -> Result<Cases, Fault> {
     if names.iter().all(String::is_empty) {
         return Err(fail("its first line names no parameter".to_string()));
     }
+    if names.iter().any(|name| name.contains(';')) {
+        return Err(fail(SEMICOLONS.to_string()));
+    }
+    if names.iter().all(|name| crate::times::number(name).is_ok()) {
+        return Err(fail(format!(
+            "its first line has numbers, {}, but no names. Name the parameter of each column in the first line",
+            names.join(",")
+        )));
+    }
     if let Some(name) =
         names.iter().enumerate().find_map(|(k, name)| names[..k].contains(name).then_some(name))
     {
@@ -93,6 +102,9 @@ fn cases(file: &str) -> Result<Cases, Fault> {
     for record in reader.records() {
         let record = record.map_err(|error| fail(unread(&error)))?;
         let line = record.position().map_or(0, csv::Position::line);
+        if record.iter().any(|text| text.contains(';')) {
+            return Err(fail(format!("line {line}: {SEMICOLONS}")));
+        }
         let number = |(name, text): (&String, &str)| {
             let parsed = crate::times::number(text);
             parsed
@@ -101,15 +113,30 @@ fn cases(file: &str) -> Result<Cases, Fault> {
         };
         rows.push(names.iter().zip(&record).map(number).collect::<Result<_, _>>()?);
     }
+    if rows.is_empty() {
+        return Err(fail(
+            "it has a first line of names, but no case. Write a line of numbers for each case"
+                .to_string(),
+        ));
+    }
     Ok(Cases { names, rows })
 }
+
+/// The reason for a table of a spreadsheet with decimal commas.
+const SEMICOLONS: &str = "columns are separated by semicolons. Separate them by commas, and write decimal points, as in 0.5,1.25";
 
 /// The reason why a line is no case.
 fn unread(error: &csv::Error) -> String {
     match error.kind() {
         csv::ErrorKind::UnequalLengths { pos, expected_len, len } => {
             let line = pos.as_ref().map_or(0, csv::Position::line);
-            format!("line {line} has {len} numbers, where the first line names {expected_len}")
+            let hint = match *len == 2 * expected_len {
+                true => ". If these are decimal commas, write decimal points, such as 0.5",
+                false => ". Write one number for each name",
+            };
+            format!(
+                "line {line} has {len} numbers, where the first line names {expected_len}{hint}"
+            )
         }
         _ => error.to_string(),
     }

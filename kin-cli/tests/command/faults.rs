@@ -71,6 +71,120 @@ fn a_command_line_that_makes_no_sense_is_usage() {
     fails(&["completions", "shish"], 2, "shish");
 }
 
+/// A number that is none is told with its option, what was read, how a number is written, and its
+/// unit.
+#[test]
+fn a_number_that_is_none_is_told_with_its_option_and_unit() {
+    let m = &example("04_four_bar");
+    let times = ["--times", "0:1:3"];
+    let told = |arguments: &[&str], all: &[&str]| {
+        let output = done(arguments);
+        let words = words(&output);
+        assert_eq!(code(&output), 2, "{words}");
+        for wanted in all {
+            assert!(words.contains(wanted), "{words}\nexpected: {wanted}");
+        }
+        for word in ["invalid float literal", "invalid digit"] {
+            assert!(!words.contains(word), "{words}");
+        }
+    };
+    told(
+        &["check", m, "--at", "1s"],
+        &["'--at <AT>'", "`1s` is no number. Write the number alone, without `s`: 1", "in s, or"],
+    );
+    told(&["diagnose", m, "--at", "0,5"], &["'--at <AT>'", "Write a decimal point, 0.5"]);
+    told(&["assemblies", m, "--at", "now"], &["'--at <AT>'", "Write it like 0.5, -2 or 1e-3"]);
+    told(
+        &["run", m, "--times", "0:1:0.1s"],
+        &["'--times <TIMES>'", "`0.1s` is no number of times", "for this step it is 11"],
+    );
+    let set = [&["run", m][..], &times, &["--set", "crank=abc"]].concat();
+    told(
+        &set,
+        &[
+            "'--set <NAME=VALUE>'",
+            "the value of `crank`: `abc` is no number. Write it like 0.5, -2 or 1e-3",
+            "lengths are in m and angles in rad",
+        ],
+    );
+    let set = [&["run", m][..], &times, &["--set", "O.u_i.x=30deg"]].concat();
+    told(&set, &["Angles are in radians: write 0.5235987755982988"]);
+    let effort = [&["run", m][..], &times, &["--effort", "much"]].concat();
+    told(&effort, &["'--effort <MULTIPLE>'", "`much` is no number", "This number has no unit"]);
+    let misfit = ["check", m, "--allowed-misfit", "1%"];
+    told(&misfit, &["'--allowed-misfit <SHARE>'", "`1%` is no number. Write it like"]);
+    let samples = [&["tolerance", m, "rocker.theta"][..], &times, &["--samples", "1e3"]].concat();
+    told(&samples, &["'--samples <COUNT>'", "`1e3` is no whole number. Write one from 0 on"]);
+    let point = [&["run", m][..], &times, &["--point", "P=crank:a,0"]].concat();
+    told(&point, &["the point of `crank`: `a` is no number"]);
+}
+
+/// A slip in a mechanism file: line and column, the path, the key, what is known there, the cure.
+#[test]
+fn a_slip_in_a_file_is_told_with_its_place_and_the_known_names() {
+    let slip = |name: &str, from: &str, to: &str, told: &str| {
+        let text = std::fs::read_to_string(example("04_four_bar")).expect("readable");
+        assert!(text.contains(from), "{from}");
+        fails(&["check", &file(name, &text.replacen(from, to, 1))], 5, told);
+    };
+    slip(
+        "key.json",
+        "\"guess\"",
+        "\"gues\"",
+        "`/bodies/0` has no key `gues`. Did you mean `guess`? Use",
+    );
+    slip(
+        "word.json",
+        "\"planar\"",
+        "\"planer\"",
+        "cannot be `planer`. Did you mean `planar`? Use one of",
+    );
+    slip(
+        "comma.json",
+        "\"bodies\"",
+        ", \"bodies\"",
+        "a comma has no key before it. Remove the comma",
+    );
+    let mut data = four_bar();
+    data["constraints"][0]["arguments"][1] = json!({ "planar": "crnk" });
+    let told = "no planar body `crnk`. Did you mean `crank`? Use one of `crank`, ";
+    fails(&["check", &file("body.json", &data.to_string())], 5, told);
+    let mut data = four_bar();
+    data["bodies"][0]["name"] = json!("ground");
+    let told = "a body cannot have the name `ground`: every mechanism has the ground already. Use \
+                `{\"planar\": null}`";
+    fails(&["check", &file("ground.json", &data.to_string())], 1, told);
+}
+
+/// A table of another form is named as that.
+#[test]
+fn a_table_of_cases_of_another_form_is_named_as_that() {
+    let m = &example("04_four_bar");
+    let told = |name: &str, text: &str, told: &str| {
+        fails(&["sweep", m, &file(name, text), "--times", "0:1:3"], 5, told);
+    };
+    let semicolons = "columns are separated by semicolons. Separate them by commas, and write decimal \
+                      points, as in 0.5,1.25";
+    told("semicolons.csv", "O.u_i.x;O.u_i.y\n0,1;0,2\n", semicolons);
+    told(
+        "mixed.csv",
+        "O.u_i.x,O.u_i.y\n0.1;0.2,0\n",
+        "line 2: columns are separated by semicolons",
+    );
+    told(
+        "commas.csv",
+        "O.u_i.x,O.u_i.y\n0,1,0,2\n",
+        "line 2 has 4 numbers, where the first line names 2. If these are decimal commas, write \
+         decimal points, such as 0.5",
+    );
+    told(
+        "bare.csv",
+        "0.1,0.2\n0.1,0.3\n",
+        "its first line has numbers, 0.1,0.2, but no names. Name",
+    );
+    told("one.csv", "O.u_i.x,O.u_i.y\n", "it has a first line of names, but no case");
+}
+
 #[test]
 fn a_run_that_ends_early_has_written_what_came_before() {
     let arguments =
@@ -106,7 +220,7 @@ fn files_that_are_missing_or_none_are_told() {
         5,
         "none.json cannot be read as a mechanism: ",
     );
-    fails(&["check", &file("text.json", "hello")], 5, "line 1 column 1");
+    fails(&["check", &file("text.json", "hello")], 5, "line 1, column 1: `hello` is no value");
     let unknown = four_bar().to_string().replace("\"drive_angle\"", "\"drive_angel\"");
     fails(&["check", &file("unknown.json", &unknown)], 5, "unknown constraint `drive_angel`");
     // Members that a later format has are no mistakes: the format is what is wrong.

@@ -213,7 +213,9 @@ impl Mechanism {
     }
 
     pub(super) fn read_expression(&self, text: &str) -> std::result::Result<Dimension, String> {
-        let read = expression::read(text, &mut |name| self.dimension_named(name))?;
+        let mut named =
+            |name: &str| self.dimension_named(name).ok_or_else(|| self.dimension_names());
+        let read = expression::read(text, &mut named)?;
         match read.value() {
             value if value.is_finite() => Ok(read),
             value => Err(format!("`{text}` is {value}. Give numbers that make it finite")),
@@ -225,6 +227,12 @@ impl Mechanism {
         let store = self.dimensions.as_ref()?.store();
         let entry = store.entries.iter().find(|entry| entry.name == name)?;
         Some(Dimension::new(entry.value, self.layout.mechanism, entry.node))
+    }
+
+    /// Returns the names of all dimensions in their order.
+    fn dimension_names(&self) -> Vec<String> {
+        let Some(shared) = &self.dimensions else { return Vec::new() };
+        shared.store().entries.iter().map(|entry| entry.name.clone()).collect()
     }
 
     /// Returns a number of a file. Errors: an expression that cannot be read, or is not finite.
@@ -316,7 +324,7 @@ fn unmade<'a>(
         if known.is_none() && first.is_none() {
             first = all.iter().find(|other| other.name == name);
         }
-        known.or(Some(1.0.into()))
+        Ok(known.unwrap_or(1.0.into()))
     });
     first
 }

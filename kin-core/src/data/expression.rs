@@ -3,14 +3,16 @@
 use kin_graph::{Function, Function2};
 
 use crate::model::dimension::Dimension;
+use crate::model::similar;
 
 /// The largest depth of nested expressions. It keeps the recursive reader within the stack.
 const DEEPEST: usize = 200;
 
-/// Returns the number of the text; `names` looks up dimensions. Errors: the mistake in words.
+/// Returns the number of the text; `named` looks up a dimension, and says which ones there are if
+/// there is no such one. Errors: the mistake in words.
 pub(super) fn read(
     text: &str,
-    named: &mut dyn FnMut(&str) -> Option<Dimension>,
+    named: &mut dyn FnMut(&str) -> Result<Dimension, Vec<String>>,
 ) -> Result<Dimension, String> {
     let mut reader = Reader { rest: text, depth: 0, named };
     let number = reader.sum().and_then(|number| match reader.peek() {
@@ -24,7 +26,7 @@ pub(super) fn read(
 struct Reader<'a> {
     rest: &'a str,
     depth: usize,
-    named: &'a mut dyn FnMut(&str) -> Option<Dimension>,
+    named: &'a mut dyn FnMut(&str) -> Result<Dimension, Vec<String>>,
 }
 
 impl<'a> Reader<'a> {
@@ -105,7 +107,13 @@ impl<'a> Reader<'a> {
     }
 
     fn look_up(&mut self, name: &str) -> Result<Dimension, String> {
-        (self.named)(name).ok_or_else(|| format!("there is no dimension `{name}`"))
+        (self.named)(name).map_err(|known| {
+            let cure = match known[..] {
+                [] => ". Declare it in `dimensions`".to_string(),
+                _ => similar::cure(name, &known),
+            };
+            format!("there is no dimension `{name}`{cure}")
+        })
     }
 
     fn number(&mut self) -> Result<Dimension, String> {
@@ -153,7 +161,12 @@ impl<'a> Reader<'a> {
             ([a, n], ..) if name == "powi" && n.value().fract() == 0.0 && n.value().abs() < 1e9 => {
                 Ok(a.powi(n.value() as i32))
             }
-            (_, None, None) => Err(format!("there is no function `{name}`")),
+            (_, None, None) => {
+                let one = Function::ALL.iter().map(|function| function.method());
+                let two = Function2::ALL.iter().map(|function| function.method());
+                let all: Vec<String> = one.chain(two).chain(["powi"]).map(str::to_string).collect();
+                Err(format!("there is no function `{name}`{}", similar::cure(name, &all)))
+            }
             (all, ..) => Err(format!("`{name}` does not take {} numbers", all.len())),
         }
     }
@@ -167,7 +180,9 @@ mod tests {
         let named = |name: &str| {
             [("a", 3.0), ("O.x", 4.0), ("link 2", 0.5)].iter().find(|known| known.0 == name)
         };
-        read(text, &mut |name| named(name).map(|(_, x)| (*x).into())).map(Dimension::value)
+        let known = || ["a", "O.x", "link 2"].map(str::to_string).to_vec();
+        let mut number = |name: &str| named(name).map(|(_, x)| (*x).into()).ok_or_else(known);
+        read(text, &mut number).map(Dimension::value)
     }
 
     #[test]
@@ -190,7 +205,9 @@ mod tests {
     #[test]
     fn slips_are_told_and_nesting_ends() {
         for (text, told) in [
-            ("b", "there is no dimension `b`"),
+            ("b", "there is no dimension `b`. Use one of `a`, `O.x`, `link 2`"),
+            ("link2", "there is no dimension `link2`. Did you mean `link 2`? Use one of `link 2`"),
+            ("hypott(a, a)", "no function `hypott`. Did you mean `hypot`? Use one of `hypot`, "),
             ("a +", "missing at its end"),
             ("(a", "closing bracket"),
             ("sin(a, a)", "does not take 2 numbers"),

@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use super::{Registry, once};
 use crate::model::law::{Ends, Law};
+use crate::model::similar;
+use crate::model::words::list;
 
 /// A law as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -86,8 +88,8 @@ impl<'a> LawReader<'a> {
         let found =
             number.or_else(|| of(self.data.parts.keys().collect()).map(|name| ("part", name)));
         let Some((what, name)) = found else { return Ok(()) };
-        let has: Vec<String> = asked.iter().map(|name| format!("`{name}`")).collect();
-        let has = if has.is_empty() { "nothing".to_string() } else { has.join(", ") };
+        let has = similar::nearest_first(&name, asked.iter().cloned());
+        let has = if has.is_empty() { "nothing".to_string() } else { list(&has) };
         Err(format!("the law `{}` has no {what} `{name}`; it has {has}", self.data.name()))
     }
 
@@ -100,7 +102,20 @@ impl<'a> LawReader<'a> {
             .numbers
             .get(name)
             .copied()
-            .ok_or_else(|| format!("the law `{}` lacks the number `{name}`", self.data.name()))
+            .ok_or_else(|| self.lacks(&format!("the number `{name}`"), name))
+    }
+
+    /// The mistake of a number or part that is missing, with the unread ones that may be meant.
+    fn lacks(&self, what: &str, name: &str) -> String {
+        let asked = self.asked.borrow();
+        let given = self.data.numbers.keys().chain(self.data.parts.keys());
+        let given = given.filter(|given| !asked.contains(*given)).cloned();
+        let given = similar::nearest_first(name, given);
+        let cure = match given[..] {
+            [] => ". Add it".to_string(),
+            _ => format!(". Is it meant by {}?", list(&given)),
+        };
+        format!("the law `{}` lacks {what}{cure}", self.data.name())
     }
 
     /// Returns the function as text, or an empty text if the data contain no text.
@@ -148,7 +163,7 @@ impl<'a> LawReader<'a> {
             .data
             .parts
             .get(name)
-            .ok_or_else(|| format!("the law `{}` lacks its part `{name}`", self.data.name()))?;
+            .ok_or_else(|| self.lacks(&format!("its part `{name}`"), name))?;
         self.registry.law(part)
     }
 }

@@ -9,7 +9,7 @@ use super::format::{
 };
 use super::law::LawData;
 use super::names::plain;
-use super::{FORMAT, Registry, understood};
+use super::{FORMAT, Registry, read, understood};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
@@ -245,8 +245,7 @@ impl Mechanism {
     pub fn law(&self, data: &serde_json::Value, registry: &Registry) -> Result<Law> {
         let fail = |reason: String| Error::Data { place: "law".to_string(), reason };
         let (plain, bound) = law_without_expressions(self, data).map_err(fail)?;
-        let data: LawData =
-            serde_json::from_value(plain).map_err(|error| fail(error.to_string()))?;
+        let data: LawData = read::value(&plain).map_err(fail)?;
         Ok(registry.law(&data).map_err(fail)?.hung_on(bound))
     }
 

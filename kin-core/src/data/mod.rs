@@ -14,6 +14,7 @@ mod mechanism;
 mod motion;
 mod names;
 mod once;
+mod read;
 mod registry;
 mod schema;
 mod value;
@@ -78,11 +79,11 @@ fn read_text<T: DeserializeOwned>(text: &str) -> std::result::Result<T, String> 
     struct Version {
         format: u32,
     }
-    serde_json::from_str(text).map_err(|error| {
+    read::text(text).map_err(|told| {
         let newer = serde_json::from_str(text)
             .ok()
             .and_then(|Version { format }| understood(format, FORMAT).err());
-        newer.unwrap_or_else(|| error.to_string())
+        newer.unwrap_or(told)
     })
 }
 
@@ -110,7 +111,7 @@ impl Mechanism {
     ///
     /// Errors: Kin cannot read the file; those of [`Mechanism::from_data`].
     pub fn read_json(path: impl AsRef<Path>, registry: &Registry) -> Result<Mechanism> {
-        Mechanism::from_data(&read(path.as_ref())?, registry)
+        Mechanism::from_data(&read_file(path.as_ref())?, registry)
     }
 }
 
@@ -126,7 +127,7 @@ impl Diagnosis {
     ///
     /// Errors: Kin cannot read the file.
     pub fn read_json(path: impl AsRef<Path>) -> Result<Diagnosis> {
-        read(path.as_ref())
+        read_file(path.as_ref())
     }
 }
 
@@ -142,7 +143,7 @@ impl Motion {
     ///
     /// Errors: Kin cannot read the file; those of [`Motion::from_data`].
     pub fn read_json(path: impl AsRef<Path>) -> Result<Motion> {
-        Motion::from_data(&read(path.as_ref())?)
+        Motion::from_data(&read_file(path.as_ref())?)
     }
 }
 
@@ -183,7 +184,7 @@ fn write(path: &Path, data: &impl Serialize) -> Result<()> {
     write().map_err(|source| Error::File { path: path.to_path_buf(), source })
 }
 
-fn read<T: DeserializeOwned>(path: &Path) -> Result<T> {
+fn read_file<T: DeserializeOwned>(path: &Path) -> Result<T> {
     let fail = |reason: String| Error::Data { place: path.display().to_string(), reason };
     let text = std::fs::read_to_string(path).map_err(|error| fail(error.to_string()))?;
     read_text(&text).map_err(fail)

@@ -31,6 +31,13 @@ pub(super) fn object<'de, D: Deserializer<'de>>(from: D) -> Result<Map<String, V
     from.deserialize_map(Object(&KeyPath::ROOT))
 }
 
+/// Reads an object of any values that may be left out. Errors: those of [`object`].
+pub(super) fn some_object<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Option<Map<String, Value>>, D::Error> {
+    object(from).map(Some)
+}
+
 /// Reads any value. Errors: those of [`object`].
 pub(super) fn value<'de, D: Deserializer<'de>>(from: D) -> Result<Value, D::Error> {
     AnyValue(&KeyPath::ROOT).deserialize(from)

@@ -1,6 +1,6 @@
 //! Maps kinds of constraints and laws to their constructors.
 
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 use serde_json::{Map, Value};
@@ -10,11 +10,13 @@ use super::format::ArgumentData;
 use super::law::{LawData, LawReader, shipped};
 use super::value::Datum;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody};
+use crate::model::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody, Target};
 use crate::model::dimension::Dimension;
 use crate::model::dual_route::ArgumentKind;
 use crate::model::law::Law;
 use crate::model::mechanism::Mechanism;
+use crate::model::similar;
+use crate::model::words::list;
 
 /// A constraint that can be created from data.
 ///
@@ -204,19 +206,24 @@ impl Registry {
         match (self.laws.get(&data.kind), &data.text, self.law_texts) {
             (Some(make), ..) => make(&law).and_then(whole),
             (None, Some(_), Some(read)) => read(&law).and_then(whole),
-            (None, Some(_), None) => Err(format!(
-                "unknown law `{}`: add it with `Registry::with_law`, or read its text with `kin::text::registry()`, of the feature `text`",
-                data.kind
-            )),
-            (None, None, Some(_)) => Err(format!(
-                "unknown law `{}`. Use one of {}, or give the function of a user-defined law as `text`",
-                data.kind,
-                self.law_kinds().join(", ")
-            )),
-            (None, None, None) => {
-                Err(format!("unknown law `{}`: add it with `Registry::with_law`", data.kind))
-            }
+            (None, text, read) => Err(self.unknown_law(&data.kind, text.is_some(), read.is_some())),
         }
+    }
+
+    fn unknown_law(&self, kind: &str, has_text: bool, reads_texts: bool) -> String {
+        let known: Vec<String> = self.law_kinds().into_iter().map(str::to_string).collect();
+        let own = match (has_text, reads_texts) {
+            (_, true) => "give the function of a user-defined law as `text`",
+            (true, _) => {
+                "add it with `Registry::with_law`, or read its text with `kin::text::registry()`, of the feature `text`"
+            }
+            _ => "add a user-defined law with `Registry::with_law`",
+        };
+        let what = match kind {
+            "" => "a law has no `kind`".to_string(),
+            _ => format!("unknown law `{kind}`"),
+        };
+        format!("{what}{}, or {own}", similar::cure(kind, &known))
     }
 
     /// Creates a constraint, with its parameters that are expressions of dimensions. Errors: an
@@ -229,10 +236,8 @@ impl Registry {
         mechanism: &Mechanism,
     ) -> Result<Made, String> {
         let kinds: Vec<ArgumentKind> = arguments.iter().map(ArgumentData::kind).collect();
-        let (make, _) = self
-            .constraints
-            .get(&(kind.to_string(), kinds))
-            .ok_or_else(|| self.unknown(kind, arguments.len()))?;
+        let key = (kind.to_string(), kinds);
+        let (make, _) = self.constraints.get(&key).ok_or_else(|| self.unknown(kind, &key.1))?;
         let mut reader = Reader {
             arguments: arguments.iter(),
             parameters,
@@ -246,7 +251,14 @@ impl Registry {
         let unknown = || parameters.keys().find(|name| !reader.asked.contains(name));
         match (made, &reader.failure, unknown()) {
             (_, Some(reason), _) => Err(reason.clone()),
-            (_, None, Some(name)) => Err(format!("`{kind}` has no parameter `{name}`")),
+            (_, None, Some(name)) => {
+                let known: Vec<String> = reader.asked.iter().map(|one| one.to_string()).collect();
+                let cure = match known[..] {
+                    [] => ". It has no parameters: remove this one".to_string(),
+                    _ => similar::cure(name, &known),
+                };
+                Err(format!("`{kind}` has no parameter `{name}`{cure}"))
+            }
             (made, None, None) => {
                 let made = made.ok_or_else(|| format!("`{kind}` cannot be made"))?;
                 let bound = dimensions::bound(made.as_ref(), reader.expressions)?;
@@ -271,24 +283,55 @@ impl Registry {
         }
     }
 
-    fn unknown(&self, kind: &str, arguments: usize) -> String {
-        match self.constraints.keys().any(|(known, _)| known == kind) {
-            true => format!("no `{kind}` is known with these {arguments} arguments"),
-            false if self.equations.is_some() || self.law_texts.is_some() => {
-                format!(
-                    "unknown constraint `{kind}`: neither the library nor `equations` in the file has it"
-                )
-            }
-            false if self.unread => {
-                format!(
-                    "unknown constraint `{kind}`: the file carries equations as text; read it with `kin::text::registry()`, of the feature `text`"
-                )
-            }
-            false => {
-                format!("unknown constraint `{kind}`: add it with `Registry::with::<{kind}>()`")
-            }
+    fn unknown(&self, kind: &str, arguments: &[ArgumentKind]) -> String {
+        let takes: BTreeSet<String> = self
+            .constraints
+            .keys()
+            .filter(|(known, _)| known == kind)
+            .map(|(_, takes)| signature(takes))
+            .collect();
+        if !takes.is_empty() {
+            return format!(
+                "no `{kind}` is known with these {} arguments, {}. `{kind}` takes {}",
+                arguments.len(),
+                signature(arguments),
+                Vec::from_iter(takes).join(" or ")
+            );
         }
+        if self.unread {
+            return format!(
+                "unknown constraint `{kind}`: the file carries equations as text; read it with `kin::text::registry()`, of the feature `text`"
+            );
+        }
+        let own = match self.equations.is_some() || self.law_texts.is_some() {
+            true => "give the text of a user-defined constraint in `equations` of the file".into(),
+            false => format!("add a user-defined one with `Registry::with::<{kind}>()`"),
+        };
+        format!("unknown constraint `{kind}`{}, or {own}", self.similar_kinds(kind, arguments))
     }
+
+    /// Returns the cure for an unknown kind: the kinds that take these arguments, or all kinds if
+    /// one of the others is meant.
+    fn similar_kinds(&self, kind: &str, arguments: &[ArgumentKind]) -> String {
+        let of = |fits: &dyn Fn(&[ArgumentKind]) -> bool| -> Vec<String> {
+            let kinds = self.constraints.keys().filter(|(_, takes)| fits(takes));
+            let kinds: BTreeSet<String> = kinds.map(|(kind, _)| kind.clone()).collect();
+            kinds.into_iter().collect()
+        };
+        let fitting = similar::cure(kind, &of(&|takes| takes == arguments));
+        let any = similar::cure(kind, &of(&|_| true));
+        if fitting.is_empty() || any.contains("Did you mean") { any } else { fitting }
+    }
+}
+
+/// "(planar body, coordinate)".
+fn signature(kinds: &[ArgumentKind]) -> String {
+    let word = |kind: &ArgumentKind| match kind {
+        ArgumentKind::Planar => "planar body",
+        ArgumentKind::Spatial => "spatial body",
+        ArgumentKind::Coord => "coordinate",
+    };
+    format!("({})", kinds.iter().map(word).collect::<Vec<&str>>().join(", "))
 }
 
 fn names_of_the_library(kind: &str) -> String {
@@ -315,7 +358,7 @@ impl<'a> Reader<'a> {
         let found = match self.arguments.next() {
             Some(ArgumentData::Planar(None)) => Ok(Ground.into()),
             Some(ArgumentData::Planar(Some(name))) => {
-                self.mechanism.planar_named(name).ok_or_else(|| format!("no planar body `{name}`"))
+                self.mechanism.planar_named(name).ok_or_else(|| self.no_body("planar", name))
             }
             _ => Err("a planar body is missing".to_string()),
         };
@@ -327,10 +370,9 @@ impl<'a> Reader<'a> {
     pub fn spatial(&mut self) -> SpatialBody {
         let found = match self.arguments.next() {
             Some(ArgumentData::Spatial(None)) => Ok(Ground.into()),
-            Some(ArgumentData::Spatial(Some(name))) => self
-                .mechanism
-                .spatial_named(name)
-                .ok_or_else(|| format!("no spatial body `{name}`")),
+            Some(ArgumentData::Spatial(Some(name))) => {
+                self.mechanism.spatial_named(name).ok_or_else(|| self.no_body("spatial", name))
+            }
             _ => Err("a spatial body is missing".to_string()),
         };
         self.noted(found).unwrap_or(Ground.into())
@@ -340,10 +382,9 @@ impl<'a> Reader<'a> {
     /// contain no such argument.
     pub fn coord(&mut self) -> Coordinate {
         let found = match self.arguments.next() {
-            Some(ArgumentData::Coord(name)) => self
-                .mechanism
-                .coordinate_named(name)
-                .ok_or_else(|| format!("no coordinate `{name}`")),
+            Some(ArgumentData::Coord(name)) => {
+                self.mechanism.coordinate_named(name).ok_or_else(|| self.no_coordinate(name))
+            }
             Some(ArgumentData::GroundCoord(axis)) => Ok(Coordinate::Planar(Ground.into(), *axis)),
             Some(ArgumentData::SpatialGroundCoord(axis)) => {
                 Ok(Coordinate::Spatial(Ground.into(), *axis))
@@ -351,6 +392,45 @@ impl<'a> Reader<'a> {
             _ => Err("a coordinate is missing".to_string()),
         };
         self.noted(found).unwrap_or(Coordinate::Planar(Ground.into(), 0))
+    }
+
+    /// The mistake of a name that no body of this kind has, "planar" or "spatial".
+    fn no_body(&self, kind: &str, name: &str) -> String {
+        if name == "ground" {
+            return format!("no {kind} body `ground`. The ground is null: {{\"{kind}\": null}}");
+        }
+        let bodies = self.mechanism.layout.bodies();
+        let word = |target: &Target| match target {
+            Target::Planar(_) => "planar",
+            Target::Spatial(_) => "spatial",
+            Target::Coord(..) => "coord",
+        };
+        if let Some((_, other)) = bodies.iter().find(|(known, _)| *known == name) {
+            let is = match word(other) {
+                "coord" => "a coordinate".to_string(),
+                other => format!("a {other} body"),
+            };
+            let other = word(other);
+            return format!(
+                "no {kind} body `{name}`: `{name}` is {is}, as an argument {{\"{other}\": \"{name}\"}}"
+            );
+        }
+        let known = bodies.iter().filter(|(_, target)| word(target) == kind);
+        let known: Vec<String> = known.map(|(name, _)| name.to_string()).collect();
+        let cure = match known[..] {
+            [] => format!(". The file has no {kind} body: declare it in `bodies`"),
+            _ => similar::cure(name, &known),
+        };
+        format!("no {kind} body `{name}`{cure}")
+    }
+
+    fn no_coordinate(&self, name: &str) -> String {
+        let known = &self.mechanism.layout.names;
+        let cure = match known[..] {
+            [] => ". The file has no body: declare it in `bodies`".to_string(),
+            _ => similar::cure(name, known),
+        };
+        format!("no coordinate `{name}`{cure}")
     }
 
     /// Returns the parameter with this name, or NaN if the data contain no such parameter.
@@ -385,7 +465,13 @@ impl<'a> Reader<'a> {
         read: &mut dyn FnMut(&Value) -> Result<T, String>,
     ) -> Option<T> {
         let Some((known, value)) = self.parameters.get_key_value(name) else {
-            return self.noted(Err(format!("its parameter `{name}` is missing")));
+            let given = self.parameters.keys().filter(|given| !self.asked.contains(given));
+            let given: Vec<String> = given.cloned().collect();
+            let cure = match given[..] {
+                [] => ". Add it".to_string(),
+                _ => format!(". Is it meant by {}?", list(&similar::nearest_first(name, given))),
+            };
+            return self.noted(Err(format!("its parameter `{name}` is missing{cure}")));
         };
         self.asked.push(known);
         self.noted(read(value).map_err(|reason| format!("its parameter `{name}`: {reason}")))

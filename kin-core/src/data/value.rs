@@ -6,8 +6,8 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::Value;
 
-use super::Registry;
 use super::law::LawData;
+use super::{Registry, read};
 use crate::model::describer::Describer;
 use crate::model::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
@@ -156,9 +156,7 @@ impl Datum for Law {
                 "{value} is not a law. Write an object, such as {{\"kind\": \"ramp\", \"numbers\": {{\"rate\": 1}}}}"
             ));
         }
-        let data: LawData = serde_json::from_value(value.clone())
-            .map_err(|error| format!("{value} is not a law: {error}"))?;
-        registry.law(&data)
+        registry.law(&read::value(value)?)
     }
 }
 
@@ -321,9 +319,7 @@ pub trait IncomingRefused<T> {
 
 impl<T: Serialize + DeserializeOwned> IncomingBySerde<T> for Incoming<T> {
     fn get(&self, name: &str, from: &mut super::Reader<'_>) -> Option<T> {
-        from.value(name, &mut |value| {
-            serde_json::from_value(value.clone()).map_err(|error| error.to_string())
-        })
+        from.value(name, &mut |value| read::value(value))
     }
 }
 

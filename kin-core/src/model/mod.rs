@@ -21,6 +21,7 @@ pub mod motion;
 pub(crate) mod named_value;
 pub(crate) mod no_derivative;
 pub(crate) mod not_unique;
+pub(crate) mod similar;
 pub mod state;
 pub mod terms;
 pub(crate) mod units;

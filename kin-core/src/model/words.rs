@@ -2,6 +2,9 @@
 
 use crate::model::units::Units;
 
+/// The name of the ground in results and messages. No body has it.
+pub(crate) const GROUND: &str = "ground";
+
 /// "3 equations", "1 equation".
 pub(crate) fn count(n: usize, what: &str) -> String {
     if n == 1 { format!("1 {what}") } else { format!("{n} {what}s") }
@@ -132,6 +135,11 @@ pub(crate) fn different(a: f64, b: f64) -> [String; 2] {
     let with = |decimals: usize| [format!("{a:.decimals$}"), format!("{b:.decimals$}")];
     let enough = |[text, other]: &[String; 2]| tells_apart([a, b], [text, other]);
     (least..least + MORE).map(with).find(enough).unwrap_or_else(|| with(least + MORE))
+}
+
+/// "0.100 m", or the number alone if its unit is not known.
+pub(crate) fn with_unit(number: &str, unit: &str) -> String {
+    if unit.is_empty() { number.to_string() } else { format!("{number} {unit}") }
 }
 
 /// A sentence that begins with a capital letter.

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use kin::{EulerParameters, Mat3, SpatialBody, SpatialPose, Vec3};
 
 use super::{Reading, refused};
-use crate::imported::Mistake;
+use crate::imported::{LeftOut, Mistake};
 use crate::tree::Tree;
 
 /// Rows of a matrix may miss length 1 and right angles by this: files are written by hand and
@@ -139,7 +139,13 @@ impl Reading {
             self.leave(part, "the block is not a part", true);
             return Ok(());
         }
-        let (name, line) = self.name_of(part);
+        let (mut name, line) = self.name_of(part);
+        if name == "ground" {
+            name = "ground part".to_string();
+            let reason = format!("the ground has it; Kin reads this part as `{name}`");
+            let left = LeftOut { line, name: "the name `ground`".into(), reason, matters: false };
+            self.left_out.push(left);
+        }
         let (r, a) = frame(part)?;
         let pose = SpatialPose::new(on.0 + on.1 * r, EulerParameters::from_rotation(on.1 * a));
         let body = self.mechanism.spatial(&name, pose).map_err(refused(line))?;

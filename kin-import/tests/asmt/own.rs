@@ -145,6 +145,15 @@ fn what_is_left_out_is_told_by_name() {
 }
 
 #[test]
+fn a_part_named_ground_is_read_under_another_name() {
+    let text = text("time", "").replace("crank", "ground");
+    let read = asmt(&text).expect("a file");
+    let told = read.left_out.iter().map(|one| one.to_string()).collect::<String>();
+    assert!(told.contains("Kin reads this part as `ground part`"), "{told}");
+    assert!(read.left_out.iter().all(|one| !one.matters));
+}
+
+#[test]
 fn mistakes_are_told_with_their_lines() {
     let told = |text: String| asmt(&text).map(|_| ()).unwrap_err().to_string();
     assert!(told("{}".to_string()).starts_with("the file has no line `Assembly`"));

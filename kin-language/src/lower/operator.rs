@@ -11,8 +11,40 @@ use super::integer::{self, IntegerType};
 use super::template::Template;
 use super::value::{Components, Value};
 use super::{Read, Reader, Unreadable};
+use crate::error::tidy;
 use crate::parse::Shape;
 use kin_graph::{Comparison, Function2, Graph, Node};
+
+/// Returns the power that `x ** 2` means, or `None` for any other product. Rust reads `x * (*2)`,
+/// with a number behind a reference; formatted Rust has a space between the two signs.
+fn taken_for_a_power(binary: &ExprBinary) -> Option<String> {
+    let (BinOp::Mul(times), Expr::Unary(right)) = (&binary.op, &*binary.right) else {
+        return None;
+    };
+    let UnOp::Deref(star) = right.op else { return None };
+    let end = times.span.end();
+    let is_literal = matches!(*right.expr, Expr::Lit(_));
+    if !is_literal && (end.line == 0 || end != star.span.start()) {
+        return None;
+    }
+    // `2 * x ** n` is read as (2 x) (*n), and `-x ** n` as (−x) (*n).
+    let mut base = &*binary.left;
+    loop {
+        base = match base {
+            Expr::Binary(inner) => &inner.right,
+            Expr::Unary(inner) if matches!(inner.op, UnOp::Neg(_)) => &inner.expr,
+            _ => break,
+        };
+    }
+    let (sign, exponent) = match &*right.expr {
+        Expr::Unary(inner) if matches!(inner.op, UnOp::Neg(_)) => ("-", &*inner.expr),
+        other => ("", other),
+    };
+    let is_whole = matches!(exponent, Expr::Lit(lit) if matches!(lit.lit, syn::Lit::Int(_)));
+    let method = if is_whole { "powi" } else { "powf" };
+    let [base, exponent] = [base, exponent].map(|part| tidy(&part.to_token_stream().to_string()));
+    Some(format!("{base}.{method}({sign}{exponent})"))
+}
 
 impl Reader {
     pub fn unary(&mut self, op: &UnOp, inner: &Expr) -> Read {
@@ -74,6 +106,9 @@ impl Reader {
     }
 
     pub fn binary(&mut self, binary: &ExprBinary) -> Read {
+        if let Some(written) = taken_for_a_power(binary) {
+            return Ok(self.mistake(binary, format!("`**` is no power: write `{written}`")));
+        }
         if let Some(op) = simple(&binary.op) {
             let right = self.expression(&binary.right)?;
             let left = self.assigned_to(&binary.left)?;

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Callable, Optional, Union
+from typing import TYPE_CHECKING, Any, Callable, Mapping, Optional, TypeVar, Union
 
 import numpy as np
 
 from . import _native
+from ._mistakes import values
+from ._names import Named
 from ._motion import Motion, Quantity, array
 from ._short import short
 
 if TYPE_CHECKING:
     from ._system import Measure
+
+T = TypeVar("T")
 
 
 @short
@@ -88,17 +92,23 @@ class Sensitivities:
         #: The motion that they belong to.
         self.motion = motion
 
+    @staticmethod
+    def _by(found: Mapping[str, T]) -> dict[str, T]:
+        """By each parameter that the derivatives were requested for."""
+        return Named("parameter of the derivatives", found)
+
     def all(self) -> dict[str, Sensitivity]:
         """Returns the derivatives of all coordinates by each parameter."""
         n = len(self.motion.names)
-        return {name: Sensitivity(name, *(array(one, n) for one in lists)) for name, lists in self._native.all()}
+        found = self._native.all()
+        return self._by({name: Sensitivity(name, *(array(one, n) for one in lists)) for name, lists in found})
 
     def of(self, what: Measure) -> dict[str, Quantity]:
         """Returns the derivatives of a measure and its time derivatives by each parameter, at fixed times."""
         asked, times = self._measured(what), self.motion.times
         title = asked if isinstance(asked, str) else what(self.motion).name  # type: ignore[operator]
         found = self._native.of(asked)
-        return {name: Quantity._of((f"d {title} / d {name}", "", lists), times) for name, lists in found}
+        return self._by({name: Quantity._of((f"d {title} / d {name}", "", lists), times) for name, lists in found})
 
     def extreme(self, what: Measure, extreme: Extreme) -> dict[str, ExtremeSensitivity]:
         """Returns the derivatives of the time and the value of an extreme of a measure.
@@ -107,7 +117,7 @@ class Sensitivities:
         `system.extremes(motion, what)`.
         """
         found = self._native.extreme(self._measured(what), _of(extreme))
-        return {name: ExtremeSensitivity(name, *values) for name, *values in found}
+        return self._by({name: ExtremeSensitivity(name, *changes) for name, *changes in found})
 
     def between(
         self, what: Measure, first: Extreme, second: Extreme
@@ -117,7 +127,7 @@ class Sensitivities:
         The difference of the values is a stroke. The difference of the times is the time between dead centres.
         """
         found = self._native.extreme(self._measured(what), _of(first), _of(second))
-        return {name: ExtremeSensitivity(name, *values) for name, *values in found}
+        return self._by({name: ExtremeSensitivity(name, *changes) for name, *changes in found})
 
 
 @short
@@ -240,6 +250,7 @@ class Tolerance:
         return pandas.DataFrame([vars(one) for one in self.contributions])
 
 
+@values
 @short
 @dataclass(frozen=True)
 class Samples:

@@ -37,6 +37,34 @@ _SIGNS: dict[str, Callable[[float, float], bool]] = {
 }
 
 
+class Frozen(float):
+    """The plain number of a dimension, and what arithmetic with plain numbers makes of it: it stays when the dimension changes.
+    `text` is the dimension."""
+
+    text: str
+
+    @staticmethod
+    def of(value: float, text: str) -> "Frozen":
+        """The number of this dimension."""
+        made = Frozen(value)
+        made.text = text
+        return made
+
+
+def _frozen(name: str) -> Callable[..., Any]:
+    plain = getattr(float, name)
+
+    def operation(self: Frozen, *others: Any) -> Any:
+        found = plain(self, *others)
+        return Frozen.of(found, self.text) if isinstance(found, float) else found
+
+    return operation
+
+
+for _name in ("add", "radd", "sub", "rsub", "mul", "rmul", "truediv", "rtruediv", "pow", "neg", "pos", "abs"):
+    setattr(Frozen, f"__{_name}__", _frozen(f"__{_name}__"))
+
+
 class Dimension(Number):
     """A named dimension from `m.dimension(…)`, or an expression of dimensions: `a / 2`, `kin.hypot(dx, dy)`.
 
@@ -56,7 +84,7 @@ class Dimension(Number):
         #: The expression, as mechanism files have it.
         self.text = text
         #: The value that the nominal dimensions give it.
-        self.value = float(value)
+        self.value: float = Frozen.of(value, text)
         self._of = of
 
     def _operand(self, other: Any) -> Any:

@@ -117,8 +117,12 @@ class EmptyName(Error):
     """A name is empty."""
 
 
-class UnknownName(Error):
-    """No thing has the requested name; `known` lists the known names."""
+class UnknownName(Error, KeyError):
+    """No thing has the requested name; `known` lists the known names. It is a `KeyError` too."""
+
+    def __str__(self) -> str:
+        # A `KeyError` shows its text in quotes.
+        return Exception.__str__(self)
 
 
 class InvalidTimes(Error):

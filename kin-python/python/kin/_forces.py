@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, Iterable, Optional, Union
 
 import numpy as np
@@ -11,11 +12,14 @@ import numpy as np
 from . import _native
 from ._handles import Ground, PlanarBody, SpatialBody
 from ._joint import foreign
+from ._mistakes import values
+from ._names import Named
 from ._motion import Motion, Peak, Quantity, array
 from ._values import flat
 from ._vectors import VectorLike
 
 
+@values
 @dataclass(frozen=True)
 class Drive:
     """The efforts and the power of a driver. [N m or N, W]
@@ -81,6 +85,7 @@ class Balance:
         return self.text
 
 
+@values
 class Forces:
     """The forces of a motion, from C_qᵀ λ = Q_e + Q_v − M q̈. `print` shows the balance of powers.
 
@@ -163,11 +168,12 @@ class Forces:
             raise ValueError("`sum` needs the name of at least one constraint")
         return self._from("constraints", *names)
 
+    @property
     def on_ground(self) -> "Reaction":
         """Returns the force and torque of all constraints on the ground: the shaking force, and the shaking moment
         about the origin.
 
-        Use `forces.on_ground().on(m.ground)`.
+        Use `forces.on_ground.on(m.ground)`.
         """
         return self._from("constraints")
 
@@ -191,9 +197,13 @@ class Forces:
         """
         return self._quantity(self._native.named(name))
 
+    def __getitem__(self, name: str) -> Quantity:
+        """The same as `named`: `forces["motor"]`."""
+        return self.named(name)
+
     def columns(self) -> dict[str, Any]:
         """Returns all unique quantities by the headers of the CSV file, such as `A on crank.F_x [N]`."""
-        table: dict[str, Any] = {"t": self.motion.times}
+        table: dict[str, Any] = Named("column", {"t": self.motion.times})
         for told in self._native.columns():
             one = self._quantity(told)
             table[f"{one.name} [{one.unit}]"] = one.value
@@ -219,6 +229,7 @@ class Forces:
         return f"<forces of {self._mechanism}: {self.balance.text}>"
 
 
+@values
 @dataclass(frozen=True)
 class Reaction:
     """The forces and torques of a constraint, of several constraints, of a load, or of the friction in a joint, on
@@ -246,12 +257,13 @@ class Reaction:
     def _in_plane(self) -> bool:
         return not any(name.endswith(".e0") for name in self.forces.motion.names)
 
-    @property
+    @cached_property
     def power(self) -> Quantity:
         """The power Q · q̇ that the source puts into the mechanism. [W]"""
         return self.forces._quantity(self.forces._native.power(self._sources))
 
 
+@values
 @dataclass(frozen=True)
 class BodyWrench:
     """The force and torque on a body over time, about a point and in axes that you choose.
@@ -284,24 +296,24 @@ class BodyWrench:
         found = forces._native.acted(self._reaction._sources, self._body, list(self._ways), asked)
         return [forces._quantity(one) for one in found]
 
-    @property
+    @cached_property
     def force(self) -> Any:
         """The force, a row for each time. [N]"""
-        return np.stack([one.value for one in self._asked("F_x F_y" if self._body[0] else "F_x F_y F_z")], axis=1)
+        return _rows(self._asked("F_x F_y" if self._body[0] else "F_x F_y F_z"))
 
-    @property
+    @cached_property
     def torque(self) -> Any:
         """The torque about the point: a number for each time in the plane, a row for each time in space. [N m]"""
         if self._body[0]:
             return self._asked("T")[0].value
-        return np.stack([one.value for one in self._asked("T_x T_y T_z")], axis=1)
+        return _rows(self._asked("T_x T_y T_z"))
 
-    @property
+    @cached_property
     def magnitude(self) -> Quantity:
         """The magnitude |F| of the force over time. [N]"""
         return self._asked("magnitude")[0]
 
-    @property
+    @cached_property
     def torque_magnitude(self) -> Quantity:
         """The magnitude |T| of the torque over time. [N m]"""
         return self._asked("torque_magnitude")[0]
@@ -317,16 +329,24 @@ class BodyWrench:
         """The components that are unique at all times."""
         return self._asked("components")
 
+    @cached_property
     def _points(self) -> tuple[bytes, list[str]]:
         forces = self._reaction.forces
         return forces._native.points(self._reaction._sources, self._body, list(self._ways))
 
-    @property
+    @cached_property
     def points(self) -> Any:
         """The global positions of the point of the torque, a row for each time. [m]"""
-        return array(self._points()[0], 2 if self._body[0] else 3)
+        return array(self._points[0], 2 if self._body[0] else 3)
 
-    @property
+    @cached_property
     def not_unique(self) -> list[str]:
         """The names of the components that are not unique at some time."""
-        return self._points()[1]
+        return self._points[1]
+
+
+def _rows(columns: list[Quantity]) -> Any:
+    """Their values side by side, a row a time, read-only."""
+    rows = np.stack([one.value for one in columns], axis=1)
+    rows.flags.writeable = False
+    return rows

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import Any, Optional, Union
 
 from ._dimension import NumberLike
+from ._mistakes import values
 from ._vectors import Vec2, Vec3
 
 
@@ -18,6 +19,7 @@ class Coordinate:
     _kind: str = field(default="coord", repr=False)
 
 
+@values
 @dataclass(frozen=True)
 class _Body:
     name: str
@@ -38,6 +40,7 @@ class _Body:
         return self._coordinate("R_y")
 
 
+@values
 @dataclass(frozen=True)
 class PlanarBody(_Body):
     """A planar body."""
@@ -48,6 +51,7 @@ class PlanarBody(_Body):
         return self._coordinate("theta")
 
 
+@values
 @dataclass(frozen=True)
 class SpatialBody(_Body):
     """A spatial body."""
@@ -58,6 +62,7 @@ class SpatialBody(_Body):
         return self._coordinate("R_z")
 
 
+@values
 @dataclass(frozen=True)
 class Link(PlanarBody):
     """A planar body between two pins, with its frame in the middle."""
@@ -78,6 +83,7 @@ class Link(PlanarBody):
         return Vec2(0.5 * self.length, 0.0)
 
 
+@values
 @dataclass(frozen=True)
 class SpatialLink(SpatialBody):
     """A spatial body between two points, with its frame in the middle and its x-axis from the first point to the
@@ -100,6 +106,7 @@ class SpatialLink(SpatialBody):
         return Vec3(0.5 * self.length, 0.0, 0.0)
 
 
+@values
 @dataclass(frozen=True)
 class Ground:
     """The ground: the global frame, a planar and a spatial body without coordinates."""

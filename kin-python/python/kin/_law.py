@@ -11,7 +11,7 @@ import numpy as np
 
 from . import _native
 from ._dimension import Dimension, NumberLike, valued, written
-from ._mistakes import KINS
+from ._mistakes import KINS, values
 from ._ufunc import Operand
 
 
@@ -28,6 +28,7 @@ class LawRange:
     beyond: str
 
 
+@values
 class Law(Operand):
     """A function of one variable with its derivatives: of time in a driver, of an angle for a cam.
 
@@ -87,9 +88,12 @@ class Law(Operand):
         return Law._of("linear", f0=f0, rate=rate)
 
     @staticmethod
-    def polynomial(c: Sequence[NumberLike]) -> "Law":
+    def polynomial(c: Sequence[NumberLike] = ()) -> "Law":
         """Returns the polynomial f(x) = c[0] + c[1] x + c[2] x² + …."""
-        named: dict[str, Any] = {f"c[{k}]": one for k, one in enumerate(c)}
+        given = [] if isinstance(c, (str, int, float, Dimension)) else list(c)
+        if not given:
+            raise TypeError(f"Law.polynomial takes a list of numbers, lowest power first, such as Law.polynomial([0.1, 2.0]), not {c!r}")
+        named: dict[str, Any] = {f"c[{k}]": one for k, one in enumerate(given)}
         return Law._of("polynomial", **named)
 
     @staticmethod
@@ -269,6 +273,7 @@ class Law(Operand):
 
     __call__ = at
 
+    @property
     def range(self) -> Optional[LawRange]:
         """The range of arguments for which the law is defined, such as that of a table; None for all arguments."""
         found = self._native.range()

@@ -26,6 +26,8 @@ from ._handles import (
 )
 from ._joint import AxisLike, EulerLike, Joint, Vec2Like, Vec3Like, foreign
 from ._load import Load
+from ._mistakes import values
+from ._names import Named, unknown
 from ._motion import Motion
 from ._friction import Friction
 from ._solid import Solid, in_space, inertia_of
@@ -36,6 +38,7 @@ from ._vectors import Vec2, Vec3
 Body = Union[PlanarBody, SpatialBody]
 
 
+@values
 class Mechanism:
     """The bodies, scalar coordinates and constraints of a machine, in any consistent set of units. [m, rad, s]
 
@@ -109,7 +112,7 @@ class Mechanism:
     def dimensions(self) -> dict[str, Dimension]:
         """The dimensions by name, in the order of their declaration."""
         names = [one["name"] for one in json.loads(self._native.to_json()).get("dimensions", [])]
-        return {name: self._expression(quoted(name)) for name in names}
+        return Named("dimension", {name: self._expression(quoted(name)) for name in names})
 
     def _expression(self, text: str) -> Dimension:
         return Dimension(text, self._native.expression(text), self._token)
@@ -175,7 +178,10 @@ class Mechanism:
 
     def __getitem__(self, name: str) -> Any:
         """Returns the body or scalar coordinate with this name, or a coordinate of a body such as "crank.theta"."""
-        for body in json.loads(self._native.to_json())["bodies"]:
+        bodies = json.loads(self._native.to_json())["bodies"]
+        if name == "ground" or not isinstance(name, str):
+            raise TypeError(f"m[…] takes the name of a body or coordinate, not {name!r}. The ground is m.ground")
+        for body in bodies:
             kind, own, length = body["kind"], body["name"], body.get("length")
             if isinstance(length, str):
                 length = self._expression(length)
@@ -185,7 +191,7 @@ class Mechanism:
                 return SpatialBody(name, self._token) if length is None else SpatialLink(name, self._token, length)
             if own == name or (name.startswith(own + ".") and kind in ("planar", "spatial")):
                 return Coordinate(name, self._token)
-        raise KeyError(f'there is no body or coordinate `{name}` in the mechanism "{self.name}"')
+        unknown("body or coordinate", name, [body["name"] for body in bodies])
 
     # Constraints.
 

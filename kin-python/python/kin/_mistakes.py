@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import ast
 import contextlib
+import functools
 import linecache
 import math
+import opcode
 import os
 import re
+import sys
 import textwrap
 import threading
-from typing import Any, Iterator, NoReturn, Optional
+from types import FrameType
+from typing import Any, Iterator, NoReturn, Optional, TypeVar
 
 from ._errors import ConstraintError
 
 Place = tuple[str, int]
+T = TypeVar("T")
 
 # The functions of `math` and NumPy that Kin has, by its own names.
 KINS = {
@@ -249,6 +254,65 @@ def _parsed(place: Place) -> Optional[tuple[ast.AST, int]]:
         return ast.parse(text + ("    pass" if text.rstrip().endswith(":") else "")), 1
     except (SyntaxError, ValueError):
         return None
+
+
+class _Value(property):
+    """A property that says so where it is called like a method."""
+
+    _name = ""
+
+    def __set_name__(self, owner: Any, name: str) -> None:
+        self._name = name
+
+    def __get__(self, obj: Any, owner: Any = None) -> Any:
+        if obj is not None and _is_called(sys._getframe(1)):
+            _called(self._name, sys._getframe(1))
+        return super().__get__(obj, owner)
+
+
+class _Cached(functools.cached_property):  # type: ignore[type-arg]
+    """The same of a property that is computed once; only its first reader is looked at."""
+
+    def __get__(self, obj: Any, owner: Any = None) -> Any:
+        if obj is not None and _is_called(sys._getframe(1)):
+            _called(self.attrname or "", sys._getframe(1))
+        return super().__get__(obj, owner)
+
+
+def values(kind: type[T]) -> type[T]:
+    """A class whose properties name the mistake where they are called like methods, as in `m.ground()`."""
+    for name, one in list(vars(kind).items()):
+        if type(one) is property:
+            made: Any = _Value(one.fget, one.fset, one.fdel, one.__doc__)
+        elif type(one) is functools.cached_property:
+            made = _Cached(one.func)
+        else:
+            continue
+        made.__set_name__(kind, name)
+        setattr(kind, name, made)
+    return kind
+
+
+_LOAD_METHOD, _LOAD_ATTR = opcode.opmap.get("LOAD_METHOD"), opcode.opmap["LOAD_ATTR"]
+# From 3.12 on both are one instruction, whose lowest bit tells them apart.
+_ARE_ONE = sys.version_info >= (3, 12)
+
+
+def _is_called(frame: FrameType) -> bool:
+    """True where the program that reads an attribute calls what it reads at once."""
+    code, at = frame.f_code.co_code, frame.f_lasti
+    if not 0 <= at < len(code) - 1:
+        return False
+    return (code[at] == _LOAD_ATTR and bool(code[at + 1] & 1)) if _ARE_ONE else code[at] == _LOAD_METHOD
+
+
+def _called(name: str, frame: FrameType) -> NoReturn:
+    """A property was called like a method."""
+    spelled = f".{name}"
+    for node in _around((frame.f_code.co_filename, frame.f_lineno)):
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == name:
+            spelled = ast.unparse(node.func)
+    raise TypeError(f"`{name}` is a value and no method: write `{spelled}`, without brackets behind it") from None
 
 
 def not_yet(what: str, name: str, later: "dict[type, str]") -> NoReturn:

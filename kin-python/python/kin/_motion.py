@@ -13,9 +13,12 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 
 from . import _native
+from ._errors import UnknownName
 from ._pictures import Picture
 from ._handles import Coordinate, Ground, Handle, PlanarBody, PlanarLike, SpatialBody, SpatialLink
-from ._values import flat
+from ._mistakes import values
+from ._names import Named
+from ._values import flat, local_of
 
 if TYPE_CHECKING:
     from ._system import System
@@ -42,6 +45,7 @@ class Peak:
         return self.text
 
 
+@values
 @dataclass(frozen=True)
 class Quantity:
     """One quantity over time with its derivatives, as arrays: a coordinate, the angle of a joint, a slide. [unit,
@@ -144,6 +148,7 @@ class Quantity:
         return f"<{self.name} [{self.unit}], {len(self.value)} times, {self.min:.6g} to {self.max:.6g}>"
 
 
+@values
 @dataclass(frozen=True)
 class Point:
     """A point of a body over time: `r`, `v`, `a`, and `jerk` if the run computed the jerk; a row for each time."""
@@ -180,6 +185,7 @@ class Point:
         return Quantity("along", self._unit, self.times, r, v, a, None if self.jerk is None else self.jerk @ unit)
 
 
+@values
 @dataclass(frozen=True)
 class Rotation:
     """The rotation of a spatial body: `omega` and `alpha`, and the derivative of `alpha` if the run computed the jerk;
@@ -263,6 +269,7 @@ class MotionWarning(UserWarning):
         return (MotionWarning, (self.kind, self.names, str(self)))
 
 
+@values
 class Motion:
     """Position, velocity and acceleration at each time.
 
@@ -334,8 +341,17 @@ class Motion:
 
     def __getitem__(self, name: Union[str, Coordinate]) -> Quantity:
         """Returns a coordinate over time, by its name or its handle: `motion["crank.theta"]`, `motion[crank.theta]`."""
+        if not isinstance(name, (str, Coordinate)):
+            text = f"motion[…] takes a coordinate, such as motion[crank.theta] or motion[\"crank.theta\"], not {name!r}"
+            raise TypeError(f"{text}. All coordinates at time number k are motion.q[k]")
         key = coordinate_name(self.names, name.name if isinstance(name, Coordinate) else name)
-        return Quantity._of(self._native.named(key), self.times)
+        try:
+            return Quantity._of(self._native.named(key), self.times)
+        except UnknownName as error:
+            owner, dot, _ = key.rpartition(".")
+            if dot and not any(one.startswith(f"{owner}.") for one in self.names):
+                error.args = (f"{error}. If `{owner}` is a joint, its measure is system.measure(motion, \"{key}\")",)
+            raise
 
     def quantity(self, name: str, unit: str, orders: Any) -> Quantity:
         """Creates a quantity over the times of this motion from computed values.
@@ -377,7 +393,7 @@ class Motion:
         Raises an error if a body belongs to another mechanism, or if the points coincide, where the distance has no
         derivative.
         """
-        points = flat(p), flat(q)
+        points = local_of("distance", p), local_of("distance", q)
         in_plane = len(points[0]) == 2
         names = [_name_of("distance", body, PlanarBody if in_plane else SpatialBody) for body in (a, b)]
         return Quantity._of(self._native.distance(in_plane, (names[0], points[0]), (names[1], points[1])), self.times)
@@ -498,7 +514,7 @@ class Motion:
         """Returns time, and each coordinate with its derivatives, by the headers of the CSV file: `t`, `crank.theta`,
         `crank.theta'`, …
         """
-        table: dict[str, Any] = {"t": self.times}
+        table: dict[str, Any] = Named("column", {"t": self.times})
         for k, name in enumerate(self.names):
             for mark, rows in (("", self.q), ("'", self.qd), ("''", self.qdd)):
                 table[name + mark] = rows[:, k]
@@ -607,7 +623,7 @@ def place_of(call: str, body: Any, local: Any) -> tuple[str, str, list[float]]:
     if not isinstance(body, (PlanarBody, SpatialBody)):
         raise TypeError(f"`{call}` takes a body, not {body!r}")
     kind, n = ("spatial", 3) if isinstance(body, SpatialBody) else ("planar", 2)
-    return kind, body.name, list(flat(local)) if local is not None else [0.0] * n
+    return kind, body.name, local_of(call, local) if local is not None else [0.0] * n
 
 
 def coordinate_name(names: Any, name: str) -> str:

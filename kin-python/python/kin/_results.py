@@ -7,6 +7,7 @@ from typing import Any, Optional
 
 import numpy as np
 
+from ._mistakes import values
 from ._short import short
 
 
@@ -67,6 +68,7 @@ class StepProof:
     doubt_at: Optional[float]
 
 
+@values
 @short
 @dataclass(frozen=True)
 class Proof:

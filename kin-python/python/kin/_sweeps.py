@@ -8,6 +8,8 @@ from typing import Any, Iterable, Mapping, Optional, Sequence, Union
 import numpy as np
 
 from . import _native
+from ._mistakes import values
+from ._names import Named, unknown
 from ._motion import array
 from ._short import short, shown
 from ._system import Progress, System, _Bar, as_bytes
@@ -15,6 +17,7 @@ from ._system import Progress, System, _Bar, as_bytes
 Kept = Union[str, tuple[str, str]]
 
 
+@values
 @dataclass(frozen=True)
 class Rows:
     """The results of a sweep.
@@ -43,11 +46,13 @@ class Rows:
         return len(self.status)
 
     def __getitem__(self, name: str) -> Any:
+        if name not in self.names:
+            unknown("column", name, self.names)
         return self.values[:, self.names.index(name)]
 
     def columns(self) -> dict[str, Any]:
         """Returns each result by its name, and `status`."""
-        table: dict[str, Any] = {name: self.values[:, k] for k, name in enumerate(self.names)}
+        table: dict[str, Any] = Named("column", {name: self.values[:, k] for k, name in enumerate(self.names)})
         table["status"] = np.array(self.status, dtype=object)
         return table
 
@@ -168,14 +173,23 @@ class Batch:
             **self.options,
         )
 
+    def _needs(self, columns: Iterable[Any]) -> None:
+        """Raises the error of a table that lacks the column of a parameter."""
+        given = [str(one) for one in columns]
+        for name in self.names:
+            if name not in given:
+                unknown("column", name, given)
+
     def __call__(self, table: Mapping[str, Any]) -> dict[str, Any]:
         """Evaluates a mapping of columns, as in `ray.data.Dataset.map_batches(batch)`."""
+        self._needs(table)
         columns = [np.asarray(table[name], dtype=float) for name in self.names]
         found = self.rows(np.stack(columns, axis=1))
         return {**{name: table[name] for name in table}, **found.columns()}
 
     def pandas(self, frame: Any) -> Any:
         """Evaluates a pandas DataFrame, as in `dask.dataframe.DataFrame.map_partitions(batch.pandas)`."""
+        self._needs(frame.columns)
         columns = [frame[name].to_numpy(dtype=float) for name in self.names]
         found = self.rows(np.stack(columns, axis=1).reshape(-1, len(self.names))).columns()
         found["status"] = found["status"].astype(str)
@@ -187,6 +201,7 @@ class Batch:
         """
         import pyarrow
 
+        self._needs(batch.schema.names)
         columns = [batch.column(batch.schema.get_field_index(name)).to_numpy(zero_copy_only=False) for name in self.names]
         found = self.rows(np.stack([np.asarray(one, dtype=float) for one in columns], axis=1))
         names = list(batch.schema.names) + list(found.names) + ["status"]

@@ -14,10 +14,12 @@ from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _
 from ._follower import Follower
 from ._forces import Forces
 from ._handles import Coordinate
+from ._mistakes import values
+from ._names import Named
 from ._pictures import Page, Picture
 from ._results import Assemblies, Assembly, Compiled, Proof, Solution
 from ._motion import Motion, Quantity, array, coordinate_name, orders_of, place_of
-from ._values import flat
+from ._values import FOLLOWS, flat
 
 Progress = Union[bool, Callable[[int, int], object], None]
 What = Union[str, Coordinate]
@@ -25,6 +27,7 @@ What = Union[str, Coordinate]
 Measure = Union[str, Coordinate, Callable[[Motion], Quantity]]
 
 
+@values
 class System:
     """A system C(q, t) = 0 that is ready to be solved, from `m.build()`.
 
@@ -83,12 +86,12 @@ class System:
     @property
     def dimensions(self) -> dict[str, float]:
         """The values of the dimensions by name, including named expressions."""
-        return dict(self._native.dimensions())
+        return Named("dimension", self._native.dimensions())
 
     @property
     def parameters(self) -> dict[str, float]:
         """All numeric parameters of constraints by name, such as `slot.k`."""
-        return dict(self._native.parameters())
+        return Named("parameter", self._native.parameters())
 
     def parameter(self, name: str) -> float:
         """Returns the value of one parameter, such as `slot.k`, or of a dimension."""
@@ -343,7 +346,8 @@ class System:
         Raises an error if no parameter has the name, if no equation depends on the parameter, if the derivative of a
         law is unknown, if the motion has a singular position, or if the motion belongs to another system.
         """
-        return Sensitivities(self._native, motion, list(names), self._measured)
+        order = list(names)
+        return Sensitivities(self._native, motion, order, lambda what: self._measured(what, order))
 
     def toggle_by(self, toggle: dict[str, Any], names: Iterable[str]) -> dict[str, float]:
         """Returns the derivatives of the time of a toggle by parameters and dimensions. [s per unit of p]
@@ -365,7 +369,7 @@ class System:
 
         Raises `kin.DimensionError` if no dimension has a tolerance.
         """
-        found = _native.tolerance(self._native, motion._native, self._measured(what), _of(of), False)
+        found = _native.tolerance(self._native, motion._native, self._measured(what, None), _of(of), False)
         return Tolerance._of(found)
 
     def tolerance_proved(self, motion: Motion, what: Measure, of: Of) -> Tolerance:
@@ -378,7 +382,7 @@ class System:
         """
         if of is None:
             raise TypeError('`of` says what is proved: a time, an extreme, "max", "min" or "stroke"')
-        found = _native.tolerance(self._native, motion._native, self._measured(what), _of(of), True)
+        found = _native.tolerance(self._native, motion._native, self._measured(what, None), _of(of), True)
         return Tolerance._of(found)
 
     def samples(
@@ -397,7 +401,7 @@ class System:
         normal" or "uniform". The same seed gives the same samples on every machine.
         """
         found = _native.samples(
-            self._native, motion._native, self._measured(what), _of(of), count, seed, distribution
+            self._native, motion._native, self._measured(what, None), _of(of), count, seed, distribution
         )
         text, name, unit, values = found
         return Samples(name, unit, array(values), count, seed, text)
@@ -427,7 +431,9 @@ class System:
         rows = np.zeros((len(motion), 3))
         given = np.asarray(weights, dtype=float)
         rows[:, : 1 if given.ndim == 1 else given.shape[1]] = given.reshape(len(motion), -1)
-        found = _native.gradient(self._native, motion._native, list(names), self._measured(what), as_bytes(rows))
+        found = _native.gradient(
+            self._native, motion._native, list(names), self._measured(what, names), as_bytes(rows)
+        )
         return np.array(found)
 
     def objective(
@@ -456,11 +462,21 @@ class System:
 
         return function
 
-    def _measured(self, what: Measure) -> Any:
-        """A measure as the native part takes it: a name, or a function of its motion."""
+    def _measured(self, what: Measure, by: Optional[Iterable[str]] = ()) -> Any:
+        """A measure as the native part takes it: a name, or a function of its motion. `by` are the names by which it changes, `None`
+        for all dimensions."""
         if not callable(what):
             return self._what(what)
-        return lambda native: orders_of(what(Motion(native)))
+        follows = by is None or not set(self.dimensions).isdisjoint(by)
+
+        def orders(native: "_native.Motion") -> Any:
+            before, FOLLOWS.dimensions = FOLLOWS.dimensions, follows
+            try:
+                return orders_of(what(Motion(native)))
+            finally:
+                FOLLOWS.dimensions = before
+
+        return orders
 
     def _what(self, what: What) -> str:
         return coordinate_name(self.names, what.name if isinstance(what, Coordinate) else what)

@@ -88,7 +88,8 @@ def real(value: Any) -> float:
     """
     if isinstance(value, np.complexfloating) or (isinstance(value, np.ndarray) and value.dtype.kind == "c"):
         raise TypeError(f"a real number is needed, not {value!r}")
-    return float(value)
+    # The plain number of a dimension stays one.
+    return value if isinstance(value, float) and not isinstance(value, np.floating) else float(value)
 
 
 def by_operands(forward: str, reflected: str, a: Any, b: Any) -> Any:

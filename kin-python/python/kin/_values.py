@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import inspect
 import math
+import threading
 from typing import Any
 
 import numpy as np
 
-from ._dimension import Dimension, valued, written
+from ._dimension import Dimension, Frozen, valued, written
 from ._errors import ParameterNotFinite
 from ._law import Law
 from ._vectors import Axis, EulerParameters
@@ -39,6 +40,34 @@ def items(value: Any) -> list[Any]:
 def flat(value: Any) -> list[float]:
     """Returns all numbers of a value, without following dimensions."""
     return [float(one) for one in items(value)]
+
+
+class _Follows(threading.local):
+    """Whether the measure that is called now is to follow dimensions: its derivatives by them, or its values where they are off."""
+
+    dimensions = False
+
+
+FOLLOWS = _Follows()
+
+_WELD = (
+    'Weld a body there, tip = m.planar("tip") and m.add("tip weld", kin.weld(tip, body, (0, 0), point, 0.0)), and measure its '
+    "origin, motion.point(tip). In space the weld is kin.spatial.weld"
+)
+
+
+def local_of(call: str, local: Any) -> list[float]:
+    """A local position that a motion is asked for. Raises TypeError of one by dimensions, which would not follow them."""
+    given = list(local) if isinstance(local, (tuple, list)) or hasattr(local, "_components") else []
+    for one in given:
+        if isinstance(one, Dimension):
+            raise TypeError(f"`{call}` takes plain numbers, and this point is given by the dimension `{one.text}`. {_WELD}")
+        if FOLLOWS.dimensions and isinstance(one, Frozen):
+            raise TypeError(
+                f"the measure does not follow the dimension `{one.text}`: `{call}` has its plain number, `.value`, and a part of "
+                f"the derivative would be missing. {_WELD}"
+            )
+    return flat(local)
 
 
 def numbers_of(place: str, mechanism: str, own: str, argument: Any, value: Any) -> Any:

@@ -113,10 +113,19 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
     q[column] -= c / value;
     let rounding = 1e-9 * c.abs() + 1e-12 * (value * found.measures.sizes[column]).abs();
     let reached = model.linearize(&q, t).is_ok_and(|point| point.c[rows.start].abs() <= rounding);
-    reached.then(|| Asks::new(model.layout.names[column].clone(), q[column], stands))
+    reached.then(|| Asks::of(&model.layout, column, q[column], stands))
 }
 
 impl Asks {
+    /// Returns the values of a coordinate of the layout, by its column.
+    pub(super) fn of(layout: &Layout, column: usize, asked: f64, stands: f64) -> Asks {
+        let unit = match layout.units[column] {
+            Unit::One => String::new(),
+            unit => layout.words.text(unit, 0),
+        };
+        Asks::new(layout.names[column].clone(), unit, asked, stands)
+    }
+
     fn seen_from(&mut self, layout: &Layout, guess: &[f64]) {
         let column = layout.names.iter().position(|name| *name == self.coordinate);
         self.beyond_guess = column

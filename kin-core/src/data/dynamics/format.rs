@@ -83,12 +83,32 @@ pub struct MeasureData {
 /// The key `measure` selects the form, so that a mistake is reported for that form.
 impl<'de> Deserialize<'de> for AlongData {
     fn deserialize<D: serde::Deserializer<'de>>(from: D) -> std::result::Result<Self, D::Error> {
-        let all = once::value(from)?;
-        let read = match all.get("measure") {
-            Some(_) => MeasureData::deserialize(all).map(AlongData::Measure),
-            None => ScalarData::deserialize(all).map(AlongData::Scalar),
+        #[derive(Deserialize)]
+        #[serde(deny_unknown_fields)]
+        struct Any {
+            measure: Option<String>,
+            kind: Option<String>,
+            arguments: Option<Vec<ArgumentData>>,
+            #[serde(default, deserialize_with = "once::some_object")]
+            parameters: Option<Map<String, Value>>,
+        }
+        let missing = <D::Error as serde::de::Error>::missing_field;
+        let excess = |key: &str| {
+            <D::Error as serde::de::Error>::custom(format!(
+                "with `measure` there is no key `{key}`. Remove one of the two"
+            ))
         };
-        read.map_err(serde::de::Error::custom)
+        match Any::deserialize(from)? {
+            Any { measure: Some(_), kind: Some(_), .. } => Err(excess("kind")),
+            Any { measure: Some(_), arguments: Some(_), .. } => Err(excess("arguments")),
+            Any { measure: Some(_), parameters: Some(_), .. } => Err(excess("parameters")),
+            Any { measure: Some(measure), .. } => Ok(AlongData::Measure(MeasureData { measure })),
+            Any { kind, arguments, parameters, .. } => Ok(AlongData::Scalar(ScalarData {
+                kind: kind.ok_or_else(|| missing("kind"))?,
+                arguments: arguments.ok_or_else(|| missing("arguments"))?,
+                parameters: parameters.unwrap_or_default(),
+            })),
+        }
     }
 }
 

@@ -24,6 +24,7 @@ use crate::model::loads::{
     Acting, Along, ForceAlong, Friction, Holding, HungInLoad, Line, Load, OnBody, Shape,
 };
 use crate::model::mechanism::Mechanism;
+use crate::model::similar;
 
 /// The equations that the file must contain as text, by their kinds.
 pub(in crate::data) type Carried = Vec<(String, String)>;
@@ -274,7 +275,12 @@ impl Mechanism {
             }
             ActingData::OnBody { body, point, force, torque, in_body } => {
                 let target = self.layout.bodies().into_iter().find(|(known, _)| known == body);
-                let (_, target) = target.ok_or_else(|| format!("no body `{body}`"))?;
+                let (_, target) = target.ok_or_else(|| {
+                    let bodies = self.layout.bodies().into_iter();
+                    let bodies = bodies.filter(|(_, of)| !matches!(of, Target::Coord(..)));
+                    let known: Vec<String> = bodies.map(|(known, _)| known.to_string()).collect();
+                    format!("no body `{body}`{}", similar::cure(body, &known))
+                })?;
                 if matches!(target, Target::Coord(..)) {
                     return Err(format!("`{body}` is no body: a force along it is `along`"));
                 }

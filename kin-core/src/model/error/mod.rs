@@ -268,7 +268,7 @@ pub enum Error {
     },
 
     /// Two things of a mechanism have the same name.
-    #[error("two {what} have the name `{name}`. Give the two {what} different names")]
+    #[error("{}", text::duplicate(.what, .name))]
     DuplicateName {
         /// "bodies or coordinates", "constraints", "outputs".
         what: &'static str,
@@ -282,7 +282,7 @@ pub enum Error {
         what: &'static str,
     },
     /// The mechanism contains nothing with the requested name.
-    #[error("there is no {what} `{name}`{}", text::known(.known))]
+    #[error("there is no {what} `{name}`{}", text::known(.name, .known))]
     UnknownName {
         /// The kind of thing that Kin looked for.
         what: &'static str,

@@ -231,6 +231,15 @@ impl Surface {
         }
     }
 
+    /// The ground, as the argument of a joint.
+    pub(crate) fn ground(self) -> &'static str {
+        match self {
+            Surface::Rust => "`Ground`",
+            Surface::Python => "`m.ground`",
+            Surface::Command => "`{\"planar\": null}` or `{\"spatial\": null}`",
+        }
+    }
+
     /// Says that a run ends because it needs more small steps than it may take.
     pub(crate) fn too_many_steps(self) -> &'static str {
         match self {

@@ -3,9 +3,10 @@
 use crate::model::error::Error;
 use crate::model::error::surface::Surface;
 use crate::model::motion::Motion;
+use crate::model::similar;
 use crate::model::units::Units;
 use crate::model::verdict::Diagnosis;
-use crate::model::words::{at, bytes, count, list, row, time};
+use crate::model::words::{GROUND, at, bytes, count, list, row, time};
 
 /// Says where the last position was, and what to try.
 pub(super) fn no_convergence(
@@ -182,13 +183,21 @@ pub(super) fn stopped([done, all]: [usize; 2], motion: &Option<Box<Motion>>) -> 
     format!("your program stopped the {what} after {done} of {all} {parts}")
 }
 
-/// Lists the known names, the most similar name first.
-pub(super) fn known(known: &[String]) -> String {
-    match known {
-        [] => String::new(),
-        [only] => format!(". Use `{only}`"),
-        all => format!(". Use one of the names {}", list(all)),
+/// Returns the message for a name that is given twice. The ground has its name in every mechanism.
+pub(super) fn duplicate(what: &str, name: &str) -> String {
+    match name {
+        GROUND => format!(
+            "a body cannot have the name `{GROUND}`: every mechanism has the ground already. Use {} in joints, or choose \
+             another name for a body that moves",
+            Surface::chosen().ground()
+        ),
+        _ => format!("two {what} have the name `{name}`. Give the two {what} different names"),
     }
+}
+
+/// Lists the known names, the most similar name first.
+pub(super) fn known(name: &str, known: &[String]) -> String {
+    similar::cure(name, known)
 }
 
 /// Says how far Newton's method came.

@@ -6,6 +6,7 @@ use super::sequence::within;
 use super::{Beyond, Law, LawRange};
 use crate::model::dimension::{Bindings, IntoNumber};
 use crate::model::error::{Error, Result};
+use crate::model::words::count;
 
 /// The conditions at the ends of a spline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -79,10 +80,8 @@ impl Points {
     pub fn refusal(&self, kind: &str) -> Option<String> {
         let least = if self.ends == Ends::Periodic { 3 } else { 2 };
         if self.table.len() < least {
-            return Some(format!(
-                "{kind}: the table has {} points. Give at least {least} points",
-                self.table.len()
-            ));
+            let points = count(self.table.len(), "point");
+            return Some(format!("{kind}: the table has {points}. Give at least {least} points"));
         }
         if let Some(k) = self.table.iter().position(|(x, y)| !(x.is_finite() && y.is_finite())) {
             return Some(format!(
@@ -168,6 +167,12 @@ pub(super) fn from_csv(path: &Path, law: impl Fn(&[(f64, f64)]) -> Law) -> Resul
         let number = |column: usize| record.get(column).and_then(|text| text.parse::<f64>().ok());
         match (number(0), number(1)) {
             (Some(x), Some(y)) => table.push((x, y)),
+            _ if record.iter().any(|text| text.contains(';')) => {
+                return Err(fail(format!(
+                    "line {}: columns are separated by semicolons. Separate them by commas, and write decimal points, as in 0.5,1.25",
+                    k + 1
+                )));
+            }
             _ if k == 0 => {}
             _ => {
                 return Err(fail(format!(

@@ -32,6 +32,7 @@ use crate::model::error::{Error, Result};
 use crate::model::layout::{Kind, Layout, Place};
 use crate::model::loads::Loads;
 use crate::model::units::Units;
+use crate::model::words::GROUND;
 
 /// The bodies, scalar coordinates and constraints of a machine.
 ///
@@ -268,6 +269,9 @@ impl Mechanism {
                     value,
                 });
             }
+        }
+        if name == GROUND && matches!(kind, Kind::Planar | Kind::Spatial) {
+            return Err(Error::DuplicateName { what: "bodies", name: name.to_string() });
         }
         let index = self.layout.declare(name, kind)?;
         self.initial.extend_from_slice(guess);

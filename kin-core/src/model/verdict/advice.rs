@@ -6,7 +6,9 @@ use super::change::{Change, GlobalPoint, Resize, Size};
 use super::gap::{Asks, Step};
 use super::text::SHOWN;
 use crate::model::error::surface::Surface;
-use crate::model::words::{apart, different, joined, list, number, of_coordinate, value};
+use crate::model::words::{
+    apart, different, joined, list, number, of_coordinate, value, with_unit,
+};
 
 /// The cause that a change gives, where the change has been tried; the report names it first.
 /// Lengths have this unit; none where it is empty.
@@ -79,7 +81,8 @@ impl Display for Is<'_> {
         match &resize.of {
             Size::Length { body } => write!(f, "`{body}` is {is}{unit} long"),
             Size::Number { constraint, parameter } => {
-                write!(f, "`{constraint}.{parameter}` is {is}{}", of_number(parameter, &unit))
+                let is = with_unit(&is.to_string(), unit_of(parameter, self.unit));
+                write!(f, "`{constraint}.{parameter}` is {is}")
             }
             Size::Point { constraint, body, .. } => {
                 write!(f, "`{constraint}` is at {is}{unit} {}", frame(body))
@@ -93,10 +96,25 @@ fn after(unit: &str) -> String {
     if unit.is_empty() { String::new() } else { format!(" {unit}") }
 }
 
-/// The unit of a number of a constraint where its name says that it is a length; `length` is the
-/// unit of length with its blank.
-fn of_number<'a>(parameter: &str, length: &'a str) -> &'a str {
-    if matches!(parameter, "length" | "distance" | "radius") { length } else { "" }
+/// The unit of a parameter that is a length or an angle by its name, as in the joints of the
+/// library. Lengths have this unit; if it is empty, no number has a unit.
+fn unit_of<'a>(parameter: &str, unit: &'a str) -> &'a str {
+    const LENGTHS: [&str; 4] = ["length", "distance", "offset", "radius"];
+    const ANGLES: [&str; 4] = ["angle", "theta", "phi", "phase"];
+    let of = |all: &[&str]| {
+        let starts = |one: &&str| parameter.strip_prefix(one).is_some_and(is_end);
+        all.iter().any(starts)
+    };
+    match (unit.is_empty(), of(&LENGTHS), of(&ANGLES)) {
+        (false, true, _) => unit,
+        (false, _, true) => "rad",
+        _ => "",
+    }
+}
+
+/// True for the end of a name behind its word: nothing, or the argument, as in `radius_i`.
+fn is_end(rest: &str) -> bool {
+    rest.is_empty() || rest.starts_with('_')
 }
 
 /// "on the ground", "in the frame of `rod`"
@@ -122,15 +140,15 @@ impl Resize {
         let up = (!self.exact).then_some(self.fits.first() > self.is.first());
         let value =
             Value { x, up, digits: 4 }.apart_from(self.is.first().copied().unwrap_or_default());
-        let unit = after(unit);
+        let behind = after(unit);
         match &self.of {
-            Size::Length { body } => format!("make `{body}` {bound}{value}{unit} long"),
+            Size::Length { body } => format!("make `{body}` {bound}{value}{behind} long"),
             Size::Number { constraint, parameter } => {
-                let unit = of_number(parameter, &unit);
-                format!("make `{constraint}.{parameter}` {bound}{value}{unit}")
+                let value = with_unit(&value.to_string(), unit_of(parameter, unit));
+                format!("make `{constraint}.{parameter}` {bound}{value}")
             }
             Size::Point { constraint, body, .. } => {
-                format!("move `{constraint}` from {is} to {fits}{unit} {}", frame(body))
+                format!("move `{constraint}` from {is} to {fits}{behind} {}", frame(body))
             }
         }
     }
@@ -362,14 +380,12 @@ fn limit(
         write!(f, "give `{constraint}` an angle in radians ({radians}), or ")?;
     }
     match asks {
-        Some(Asks { coordinate, asked, stands, .. }) => {
-            let side = if asked > stands { "below" } else { "above" };
-            let [_, stands] = different(*asked, *stands);
-            let of = of_coordinate(coordinate, unit);
-            write!(
-                f,
-                "keep {coordinate}, which `{constraint}` drives, {side} about {stands}{of}"
-            )?;
+        Some(asks) => {
+            let coordinate = &asks.coordinate;
+            let side = if asks.asked > asks.stands { "below" } else { "above" };
+            let [_, stands] = different(asks.asked, asks.stands);
+            let stands = asks.with_unit(&stands);
+            write!(f, "keep {coordinate}, which `{constraint}` drives, {side} about {stands}")?;
         }
         None => write!(f, "keep `{constraint}` within reach")?,
     }
@@ -389,6 +405,28 @@ mod tests {
         let of =
             Size::Point { constraint: "T2".to_string(), parameter: "u_i".to_string(), body: None };
         Resize { of, is: is.to_vec(), fits: fits.to_vec(), exact: true }
+    }
+
+    #[test]
+    fn numbers_of_constraints_have_their_unit_where_it_is_known() {
+        let number = |parameter: &str| Resize {
+            of: Size::Number { constraint: "rod".to_string(), parameter: parameter.to_string() },
+            is: vec![0.1],
+            fits: vec![0.6563],
+            exact: true,
+        };
+        for (parameter, unit, told) in [
+            ("length", "mm", "`rod.length` does not fit: it is 0.100 mm."),
+            ("radius_i", "m", "`rod.radius_i` does not fit: it is 0.100 m."),
+            ("angle", "mm", "`rod.angle` does not fit: it is 0.100 rad."),
+            ("k", "m", "`rod.k` does not fit: it is 0.100."),
+            ("lengths", "m", "`rod.lengths` does not fit: it is 0.100."),
+            ("length", "", "`rod.length` does not fit: it is 0.100."),
+        ] {
+            let change = Change::Resize { any: vec![number(parameter)] };
+            assert_eq!(cause(&change, unit).as_deref(), Some(told));
+        }
+        assert_eq!(number("length").advice("m"), "make `rod.length` 0.6563 m");
     }
 
     fn length(is: f64, fits: f64, exact: bool) -> Resize {

@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
+use crate::model::words::with_unit;
+
 /// A constraint that cannot be satisfied together with all other constraints.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
@@ -85,11 +87,19 @@ pub struct Asks {
     /// for lengths and for later positions. \[rad\]
     #[serde(default)]
     pub beyond_guess: Option<f64>,
+    /// The unit of the three numbers; empty for a number without one.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub unit: String,
 }
 
 impl Asks {
-    pub(crate) fn new(coordinate: String, asked: f64, stands: f64) -> Self {
-        Asks { coordinate, asked, stands, beyond_guess: None }
+    pub(crate) fn new(coordinate: String, unit: String, asked: f64, stands: f64) -> Self {
+        Asks { coordinate, asked, stands, beyond_guess: None, unit }
+    }
+
+    /// "1.0000 rad", or the number alone if it has no unit.
+    pub(super) fn with_unit(&self, number: &str) -> String {
+        with_unit(number, &self.unit)
     }
 
     /// Returns true if the required angle is more than a revolution from its guess, as degrees in

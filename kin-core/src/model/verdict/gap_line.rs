@@ -52,12 +52,12 @@ impl Display for GapLine<'_> {
         let (requires, rest) = match &gap.asks {
             Some(asks) => {
                 let coordinate = &asks.coordinate;
-                let [asked, stands] = different(asks.asked, asks.stands);
-                let unit = of_coordinate(coordinate, length);
+                let [asked, stands] =
+                    different(asks.asked, asks.stands).map(|number| asks.with_unit(&number));
                 let turn = beyond_a_turn(asks);
                 (
-                    format!("requires {coordinate} = {asked}{unit}{turn}, which "),
-                    format!("the nearest value of {coordinate} that Kin found is {stands}{unit}"),
+                    format!("requires {coordinate} = {asked}{turn}, which "),
+                    format!("the nearest value of {coordinate} that Kin found is {stands}"),
                 )
             }
             None if gap.is_between_points() => {
@@ -146,9 +146,11 @@ impl GapLine<'_> {
                     } else {
                         ""
                     };
-                    let coordinate = &asks.coordinate;
-                    let unit = of_coordinate(coordinate, self.1.units.length());
-                    format!("`{constraint}` ({coordinate} = {}{unit}{turn})", value(asks.asked))
+                    format!(
+                        "`{constraint}` ({} = {}{turn})",
+                        asks.coordinate,
+                        asks.with_unit(&value(asks.asked))
+                    )
                 }
                 None => format!("`{constraint}`"),
             });

@@ -168,6 +168,7 @@ impl Diagnosis {
             Some(Elsewhere::Drive { constraint, asks }) => {
                 let Asks { coordinate, asked, stands, .. } = asks;
                 let [_, stands] = different(*asked, *stands);
+                let stands = asks.with_unit(&stands);
                 write!(
                     f,
                     "\n  Let `{constraint}` begin at another value, such as {coordinate} = {stands}{}.",

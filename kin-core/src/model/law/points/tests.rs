@@ -49,7 +49,7 @@ fn tables_that_make_no_sense() {
         |table: &[(f64, f64)], ends| points(table, ends).refusal("spline").unwrap_or_default();
     assert_eq!(
         said(&TABLE[..1], Ends::Natural),
-        "spline: the table has 1 points. Give at least 2 points"
+        "spline: the table has 1 point. Give at least 2 points"
     );
     assert_eq!(
         said(&TABLE[..2], Ends::Periodic),
@@ -188,6 +188,11 @@ fn tables_from_files() {
     assert!(said("0,1\nt,x\n").ends_with("line 2: `t,x` is not two numbers"));
     assert!(said("0,1\n1\n").ends_with("line 2: `1` is not two numbers"));
     assert!(said("0,1\n0,2\n").contains("x must increase, but x = 0 is followed by 0 (point 2)"));
+    let semicolons = "columns are separated by semicolons. Separate them by commas";
+    assert!(said("t;x\n0;1\n1;2\n").contains("line 1: ") && said("t;x\n").contains(semicolons));
+    assert!(said("0,5;1,2\n1,5;2,2\n").contains(semicolons));
+    assert!(said("t,x\n0;1\n").contains("line 2: columns are separated by semicolons"));
+    assert!(said("t,x\n0,1\n").contains("the table has 1 point. Give at least 2"));
     assert!(said("t,x\n").contains("the table has 0 points. Give at least 2"));
     assert!(read("broken", &[b'0', b',', 0xff, b'\n', b'1', b',', 0xff]).is_err());
     assert!(
