@@ -361,7 +361,18 @@ pub fn system(family: usize, random: &mut Random, frame: Frame) -> kin::Result<S
 #[allow(dead_code)]
 pub fn near_parallelogram(random: &mut Random, frame: Frame) -> kin::Result<(System, f64)> {
     let law = random.law(-1e9, 1e9);
-    let law = frame.in_time(law);
     let off = random.one_of(&[1.0, -1.0]) * 10.0_f64.powf(random.within(-12.0, -6.0));
-    Ok((four_bar([1.0, 2.0 + off, 1.0, 2.0], law, false, None, frame)?, off))
+    Ok((off_by(off, law, frame)?, off))
+}
+
+/// A parallelogram but for its coupler, which is off by so much.
+#[allow(dead_code)]
+pub fn parallelogram_off_by(random: &mut Random, off: f64, frame: Frame) -> kin::Result<System> {
+    let law = random.law(-1e9, 1e9);
+    off_by(off, law, frame)
+}
+
+fn off_by(off: f64, law: Law, frame: Frame) -> kin::Result<System> {
+    let law = frame.in_time(law);
+    four_bar([1.0, 2.0 + off, 1.0, 2.0], law, false, None, frame)
 }

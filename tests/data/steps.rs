@@ -4,6 +4,8 @@
 
 use kin::prelude::*;
 
+use crate::engines::{ends_apart, is_undefined};
+
 /// z = x + a step of height s wherever r (x − c) / u is a whole number.
 #[constraint]
 fn stair(x: Coord, z: Coord, c: f64, u: f64, r: f64, s: f64) -> f64 {
@@ -203,53 +205,41 @@ pub fn random(seed: u64) -> Case {
     Case { words, system, times, varied: (varied, own), loose }
 }
 
-/// The first difference between two runs of one mechanism, in words.
+/// The first difference between two runs of a mechanism, in words.
+///
+/// Positions are compared at all times, derivatives at all but those at which they are undefined
+/// within rounding of positions: on a kink of an equation or a break of a law.
 pub fn difference(
-    one: &kin::Result<Motion>,
-    other: &kin::Result<Motion>,
+    system: &System,
+    times: &[f64],
+    [one, other]: [&kin::Result<Motion>; 2],
     loose: f64,
 ) -> Option<String> {
     let (one, other) = match (one, other) {
         (Ok(one), Ok(other)) => (one, other),
-        (Err(one), Err(other)) => {
-            let kinds = [one, other].map(std::mem::discriminant);
-            let first = |error: &kin::Error| {
-                error.to_string().lines().next().unwrap_or_default().to_string()
-            };
-            return (kinds[0] != kinds[1])
-                .then(|| format!("errors: {} | {}", first(one), first(other)));
-        }
+        (Err(one), Err(other)) => return ends_apart(0.0, one, other, times),
         (Ok(_), Err(error)) => return Some(format!("only the first runs: {error}")),
         (Err(error), Ok(_)) => return Some(format!("only the second runs: {error}")),
     };
+    let span = (times[times.len() - 1] - times[0]).abs();
+    // Far from zero a time is rounded by so much.
+    let near = (1e-9 + loose) * span + 8.0 * f64::EPSILON * times[0].abs();
     for (order, (far, rows)) in [1e-11, loose, 100.0 * loose]
         .into_iter()
         .zip([Motion::q, Motion::qd, Motion::qdd])
         .enumerate()
     {
-        let of =
-            |motion| (0..one.len()).flat_map(|k| rows(motion, k).to_vec()).collect::<Vec<f64>>();
-        let (a, b): (Vec<f64>, Vec<f64>) = (of(one), of(other));
-        let size = a.iter().fold(f64::MIN_POSITIVE, |m, x| m.max(x.abs()));
-        let n = one.names().len();
-        for (place, (a, b)) in a.iter().zip(&b).enumerate() {
-            if (a - b).abs() <= far * size {
+        let size = (0..one.len())
+            .flat_map(|k| rows(one, k))
+            .fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()));
+        for k in 0..one.len() {
+            let off = |(a, b): (&f64, &f64)| !((a - b).abs() <= far * size);
+            let Some(at) = rows(one, k).iter().zip(rows(other, k)).position(off) else { continue };
+            if order > 0 && is_undefined(system, times, k, near) {
                 continue;
             }
-            // Where a law or an equation has no second derivative rates are those of either side.
-            if order > 0 && is_beside_a_break(one, place / n) {
-                continue;
-            }
-            // No event tells of a kink at an end of the motion.
-            let is_end = place / n == 0 || place / n + 1 == one.len();
-            if order > 0 && is_end && (a - b).abs() > 1e-3 * size {
-                continue;
-            }
-            return Some(format!(
-                "order {order} at time {} of coordinate {}: {a} and {b}",
-                place / n,
-                place % n
-            ));
+            let [a, b] = [one, other].map(|motion| rows(motion, k)[at]);
+            return Some(format!("order {order} at time {k} of coordinate {at}: {a} and {b}"));
         }
     }
     let events = |motion: &Motion| {
@@ -261,15 +251,6 @@ pub fn difference(
         };
         return Some(format!("events {:?} and {:?}", told(one), told(other)));
     }
-    let span = (one.times()[one.len() - 1] - one.times()[0]).abs() + one.times()[0].abs();
-    let apart =
-        one.events().iter().zip(other.events()).find(|(a, b)| (a.t - b.t).abs() > 1e-8 * span);
+    let apart = one.events().iter().zip(other.events()).find(|(a, b)| (a.t - b.t).abs() > near);
     apart.map(|(a, b)| format!("times of events {} and {}: {}", a.t, b.t, a.text))
-}
-
-fn is_beside_a_break(motion: &Motion, k: usize) -> bool {
-    let t = motion.times()[k];
-    let near = |other: f64| (other - t).abs() <= 1e-6 * (t.abs() + (motion.times()[0] - t).abs());
-    motion.breaks().iter().any(|own| own.between.0 == t || own.between.1 == t)
-        || motion.events().iter().any(|event| near(event.t))
 }

@@ -4,7 +4,7 @@
 use kin::prelude::*;
 use kin::{Engine, Error, SolverOptions};
 
-use crate::families::{Frame, Random, near_parallelogram};
+use crate::families::{Frame, Random, near_parallelogram, parallelogram_off_by};
 
 /// How many a test run takes; `KIN_CAMPAIGN=10000` is the whole campaign, for a release build.
 fn count() -> usize {
@@ -67,4 +67,53 @@ fn near_parallelograms_end_alike_on_coarse_and_fine_grids() {
     println!("{} near-parallelograms, {toggles} of them end in a toggle", count());
     assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), count(), wrong.join("\n"));
     assert!(toggles > count() / 10 && apart <= 1 + count() / 100, "{toggles} {apart}");
+}
+
+/// The motor of the first one goes 0.0016 rad beyond the line of all links and back within 1 ms, so
+/// that a step over it begins and ends on the same side, and begins much nearer to the line than it
+/// ends. That of the second one begins 0.0016 rad before the line, at rest.
+#[test]
+fn a_toggle_that_a_motor_passes_there_and_back_is_found_on_every_grid() {
+    for (number, expected) in [(3040, 0.027_315_136_9), (3841, 0.002_435_080_9)] {
+        let (mut system, _) =
+            near_parallelogram(&mut Random::of(number), Frame::default()).expect("builds");
+        let begin = system.position(0.0).expect("closes");
+        system.set_initial(&begin.q).expect("sets");
+        for steps in [1, 3, 5, 9, 10, 36, 90, 180] {
+            let (end, times) = verdict(&system, steps, Engine::StepByStep);
+            let is_there = times.iter().all(|t| (t - expected).abs() < 1e-8);
+            let what = format!("{number}, {steps} steps: {end} {times:?}");
+            assert!(end == "toggle" && is_there && times.len() == 2, "{what}");
+        }
+    }
+}
+
+/// How many far from the origin a test run takes.
+fn count_of_moved() -> usize {
+    if count() >= 1000 { count() / 10 } else { 8 }
+}
+
+/// Far from the origin rounding of points is a thousand times smaller than what the coupler is off
+/// by: it hides neither a toggle nor that there is none.
+#[test]
+fn near_parallelograms_far_from_the_origin_end_alike_on_coarse_and_fine_grids() {
+    for (place, off) in [(1e6, 1e-6), (1e6, 1e-5), (1e4, 1e-6), (1e3, 1e-8)] {
+        for number in 0..count_of_moved() {
+            let mut random = Random::of(number);
+            let off = off * random.one_of(&[1.0, -1.0]);
+            let steps = random.one_of(&[1, 3, 5, 9, 10, 36]);
+            let frame = Frame { place, ..Frame::default() };
+            let mut system = parallelogram_off_by(&mut random, off, frame).expect("builds");
+            let Ok(begin) = system.position(0.0) else { continue };
+            system.set_initial(&begin.q).expect("sets");
+            let all =
+                [(steps, Engine::StepByStep), (90, Engine::StepByStep), (90, Engine::Compiled)]
+                    .map(|(steps, engine)| verdict(&system, steps, engine));
+            let is_told = ["moves", "toggle"].contains(&all[0].0.as_str());
+            assert!(
+                is_told && all.iter().all(|own| is_same(own, &all[0])),
+                "{number}, off by {off:e} at {place:e}, {steps} steps: {all:?}"
+            );
+        }
+    }
 }

@@ -38,7 +38,7 @@ fn cases_of_random_mechanisms_with_steps_are_single_runs() {
             own.set(&name, case[0]).expect("sets");
             let single =
                 own.solver().options(SolverOptions::new().engine(Engine::StepByStep)).run(&times);
-            let differ = difference(&single, &swept, loose);
+            let differ = difference(&own, &times, [&single, &swept], loose);
             wrong.extend(differ.map(|what| format!("{words}\n    {name} = {}: {what}", case[0])));
         }
     }

@@ -1,10 +1,10 @@
 //! Finds the kinks of equations that a run passes: the condition of an `if` changes, or `abs`,
 //! `max` or `min` changes its branch.
 
-use kin_graph::{Formula, Function, Function2, Node, Op, Results, evaluate};
+use kin_graph::{Formula, Node, Op, Results, evaluate};
 
 use crate::model::formula::bounds::Inputs;
-use crate::model::formula::sides::Numbers;
+use crate::model::formula::sides::{Kink, Numbers};
 use crate::model::formula::{Outside, Table};
 use crate::numbers::enclosure::interval::Interval;
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
@@ -77,13 +77,7 @@ impl Watched<'_> {
     fn events(&self, motion: &Motion) -> Vec<Event> {
         let local = self.local(motion);
         let radii = radii(motion);
-        let switches: Vec<Node> = self
-            .formula
-            .graph
-            .reachable(&self.formula.rows)
-            .into_iter()
-            .filter(|node| self.is_switch(*node))
-            .collect();
+        let switches = Kink::all(self.formula);
         let at = |q: &[f64], t: f64| self.sides(&switches, &local(q, &radii), t);
         let mut all = Vec::new();
         let times = motion.times();
@@ -185,37 +179,17 @@ impl Watched<'_> {
         }
     }
 
-    /// The distance of each switch from its kink, positive on one side and negative on the other;
-    /// NaN for a condition of several comparisons.
-    fn margins(&self, switches: &[Node], columns: &[[f64; 2]], t: f64) -> Vec<f64> {
+    /// The margin of each switch ([`Kink::margin`]).
+    fn margins(&self, switches: &[(Node, Kink)], columns: &[[f64; 2]], t: f64) -> Vec<f64> {
         let graph = &self.formula.graph;
         let q: Vec<f64> = columns.iter().map(|[x, _]| *x).collect();
         let numbers = Numbers { q: &q, t, parameters: self.parameters, outside: self.outside };
-        let results = evaluate(graph, switches, &numbers);
-        let of = |node: Node| results.number(node).unwrap_or(f64::NAN);
-        let margin = |node: &Node| match graph.op(*node) {
-            Op::Select(c, ..) => match graph.op(c) {
-                Op::Compare(_, a, b) => of(a) - of(b),
-                _ => f64::NAN,
-            },
-            Op::Call(_, a) => of(a),
-            Op::Call2(_, a, b) => of(a) - of(b),
-            _ => f64::NAN,
-        };
-        switches.iter().map(margin).collect()
-    }
-
-    fn is_switch(&self, node: Node) -> bool {
-        matches!(
-            self.formula.graph.op(node),
-            Op::Select(..)
-                | Op::Call(Function::Abs | Function::Signum, _)
-                | Op::Call2(Function2::Max | Function2::Min, ..)
-        )
+        let results = evaluate(graph, &nodes(switches), &numbers);
+        switches.iter().map(|(_, kink)| kink.margin(graph, &results)).collect()
     }
 
     /// Returns the side of each switch, for columns with these rounding errors.
-    fn sides(&self, switches: &[Node], columns: &[[f64; 2]], t: f64) -> Vec<Side> {
+    fn sides(&self, switches: &[(Node, Kink)], columns: &[[f64; 2]], t: f64) -> Vec<Side> {
         let graph = &self.formula.graph;
         let rows = &self.formula.rows;
         let q: Vec<f64> = columns.iter().map(|[x, _]| *x).collect();
@@ -234,10 +208,13 @@ impl Watched<'_> {
             |[x, radius]: &[f64; 2]| Series::constant(Interval::new(x - radius, x + radius));
         let (columns, t): (Vec<Series>, _) =
             (columns.iter().map(bounds).collect(), Series::constant(Interval::from(t)));
-        let bounds =
-            evaluate(graph, switches, &Inputs { columns: &columns, t, parameters, outside });
-        let side = |node: &Node| match seen[node.index()] {
-            true => self.side(*node, &results, &bounds),
+        let bounds = evaluate(
+            graph,
+            &nodes(switches),
+            &Inputs { columns: &columns, t, parameters, outside },
+        );
+        let side = |(node, kink): &(Node, Kink)| match seen[node.index()] {
+            true => self.side(*kink, &results, &bounds),
             false => Side::Unread,
         };
         switches.iter().map(side).collect()
@@ -245,25 +222,15 @@ impl Watched<'_> {
 
     /// Returns the side of a switch on which the rows depend. If no bounds are known, the numbers
     /// alone decide.
-    fn side(&self, node: Node, results: &Results<f64>, bounds: &Results<Series>) -> Side {
-        let of = |node: Node| results.number(node).unwrap_or(f64::NAN);
+    fn side(&self, kink: Kink, results: &Results<f64>, bounds: &Results<Series>) -> Side {
         let range = |node: Node| bounds.number(node).map_or(UNKNOWN.value(), |x| x.all_values());
-        let compared = |side: bool, gap: Interval| {
-            if gap.is_finite() && gap.contains(0.0) && !gap.is_thin() {
-                Side::OnKink
-            } else {
-                Side::Known(side)
-            }
+        let is_around_zero = |gap: Interval| gap.is_finite() && gap.contains(0.0) && !gap.is_thin();
+        let is_on_kink = match kink {
+            Kink::Condition(condition) => self.is_on_an_edge(condition, bounds),
+            Kink::Sign(a) => is_around_zero(range(a)),
+            Kink::Larger(a, b) => is_around_zero(range(a) - range(b)),
         };
-        match self.formula.graph.op(node) {
-            Op::Select(c, ..) => {
-                let side = results.condition(c).unwrap_or_default();
-                if self.is_on_an_edge(c, bounds) { Side::OnKink } else { Side::Known(side) }
-            }
-            Op::Call(_, a) => compared(of(a) >= 0.0, range(a)),
-            Op::Call2(_, a, b) => compared(of(a) >= of(b), range(a) - range(b)),
-            _ => Side::Unread,
-        }
+        if is_on_kink { Side::OnKink } else { Side::Known(kink.side(results)) }
     }
 
     /// Returns true if rounding of the position decides a condition.
@@ -281,12 +248,14 @@ impl Watched<'_> {
         })
     }
 
-    fn event(&self, node: Node, new: bool, t: f64) -> Event {
-        let (told, what) = match self.formula.graph.op(node) {
-            Op::Select(c, ..) => {
+    fn event(&self, (node, kink): (Node, Kink), new: bool, t: f64) -> Event {
+        let (told, what) = match kink {
+            Kink::Condition(c) => {
                 (self.formula.expression(c), if new { "becomes true" } else { "becomes false" })
             }
-            _ => (self.formula.expression(node), "changes its branch"),
+            Kink::Sign(_) | Kink::Larger(..) => {
+                (self.formula.expression(node), "changes its branch")
+            }
         };
         let (text, place) = told.map_or((String::new(), String::new()), |expression| {
             (format!("`{}` ", expression.text), format!(" ({})", self.table.source(expression)))
@@ -301,6 +270,11 @@ impl Watched<'_> {
             name,
         }
     }
+}
+
+/// Returns the nodes of switches.
+fn nodes(switches: &[(Node, Kink)]) -> Vec<Node> {
+    switches.iter().map(|(node, _)| *node).collect()
 }
 
 /// Returns the side, if it is known.

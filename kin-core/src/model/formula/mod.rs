@@ -79,8 +79,9 @@ impl Table {
     /// Returns true if an operation of the formula can change its branch. Kin searches the words of
     /// the text and does not read the formula.
     pub(crate) fn may_switch(&self) -> bool {
-        const WORDS: [&str; 5] = ["Select", "Abs", "Signum", "Max", "Min"];
-        *self.switches.get_or_init(|| WORDS.iter().any(|word| self.text.contains(word)))
+        *self
+            .switches
+            .get_or_init(|| sides::Kink::WORDS.iter().any(|word| self.text.contains(word)))
     }
 
     /// Returns the place of an expression.

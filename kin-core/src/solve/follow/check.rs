@@ -195,10 +195,10 @@ impl Check {
     #[cold]
     fn hides(&mut self, newton: &mut Newton<'_>, from: f64, to: f64, pivot: f64) -> bool {
         let equations = newton.system.equations();
-        self.drive.hides(
-            Span { equations, from, to, pivot },
-            &mut Factored { newton, v: &mut self.miss, turns: &self.turns, negative: &self.now },
-        )
+        let fades = newton.linear.smallest_pivot() / pivot;
+        let mut lever =
+            Factored { newton, v: &mut self.miss, turns: &self.turns, negative: &self.now, fades };
+        self.drive.hides(Span { equations, from, to, pivot }, &mut lever)
     }
 
     /// Returns the estimate of Newton and Kantorovich at the present position along the error of
@@ -255,6 +255,10 @@ struct Factored<'f, 'a> {
     v: &'f mut Padded,
     turns: &'f Padded,
     negative: &'f [bool],
+    /// How many times smaller the smallest pivot is at the other end of the step. A motor that
+    /// leads beyond both ends starts from the nearer one, where q moves as much further and a
+    /// singular position is as much nearer.
+    fades: f64,
 }
 
 impl Lever for Factored<'_, '_> {
@@ -272,7 +276,7 @@ impl Lever for Factored<'_, '_> {
     }
 
     fn bend(&mut self) -> f64 {
-        self.newton.bend(self.v)
+        self.fades * self.newton.bend(self.v)
     }
 
     fn turned(&self) -> f64 {
@@ -280,7 +284,7 @@ impl Lever for Factored<'_, '_> {
     }
 
     fn is_singular_within(&mut self, factor: f64) -> bool {
-        is_singular_near(self.newton, self.v, factor, self.negative)
+        is_singular_near(self.newton, self.v, self.fades * factor, self.negative)
     }
 }
 

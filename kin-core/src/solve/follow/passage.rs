@@ -18,6 +18,10 @@ const SHORTEST: f64 = 1e-8;
 /// Loops that turn over within a step of this length do so at once. \[-\]
 const TOGETHER: f64 = 1e-4;
 
+/// A smallest pivot that stays above this share of its values at both ends of a step does not reach
+/// zero in between. \[-\]
+const CLEAR: f64 = 0.25;
+
 /// Times that differ by less than this share of the scale of time are equal. \[-\]
 const AT_ONCE: f64 = 1e-7;
 
@@ -161,7 +165,30 @@ impl<'w, 'a> Walk<'w, 'a> {
             let at = s * from / (from + to);
             return Ok(if s > self.together() { None } else { self.cross_together(next, s, at) });
         }
+        if s > self.together() && self.may_turn_over_twice(&next, s) {
+            return Ok(None);
+        }
         Ok(self.go_on(next, s, None))
+    }
+
+    /// Returns true if C_q may become singular and regular again within a step, which neither end
+    /// shows: a driver that reverses leads through a singular position there and back.
+    ///
+    /// The smallest pivot of the middle and of both ends must not come near zero in between, by the
+    /// parabola through these three.
+    fn may_turn_over_twice(&mut self, next: &CurvePoint, s: f64) -> bool {
+        let (Some((signs, from)), Some((_, to))) = (self.here.blocks.clone(), &next.blocks) else {
+            return false;
+        };
+        let Some((middle, _)) = self.curve.at(&self.here, 0.5 * s) else { return true };
+        let Some((signs_between, between)) = middle.blocks else { return true };
+        if signs_between != signs {
+            return true;
+        }
+        let slope = 4.0 * between - 3.0 * from - to;
+        let bend = 2.0 * (from + to - 2.0 * between);
+        let is_lowest_between = slope < 0.0 && slope + 2.0 * bend > 0.0;
+        is_lowest_between && from - slope * slope / (4.0 * bend) < CLEAR * from.min(*to)
     }
 
     /// Returns the number of blocks of C_q that change their sign on the way to a place.

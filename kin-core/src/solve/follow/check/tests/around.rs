@@ -49,8 +49,13 @@ fn a_lever_moves_its_own_rows_alone() {
     led.accept(1.0, &[1.0, -1.0]);
     let mut v = led.newton.q.clone();
     led.newton.linear.rhs_mut().fill(7.0);
-    let mut lever =
-        Factored { newton: &mut led.newton, v: &mut v, turns: &Padded::default(), negative: &[] };
+    let mut lever = Factored {
+        newton: &mut led.newton,
+        v: &mut v,
+        turns: &Padded::default(),
+        negative: &[],
+        fades: 1.0,
+    };
     // C_q = [3 1; 1 1]
     for (first, b, exact) in [
         (0, &[1.0][..], [0.5, -0.5]),
