@@ -369,7 +369,7 @@ pub fn ends_apart(rounding: f64, one: &Error, other: &Error, times: &[f64]) -> O
 
 /// How far apart in time two engines may find the same.
 fn late(rounding: f64, times: &[f64]) -> f64 {
-    let (first, last) = (times[0], times[times.len() - 1]);
+    let [Some(first), Some(last)] = [times.first(), times.last()] else { return 0.0 };
     let rounded = 8.0 * f64::EPSILON * first.abs().max(last.abs());
     (1e-9 + 1e2 * rounding) * (last - first).abs() + rounded
 }
