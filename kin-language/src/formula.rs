@@ -5,8 +5,8 @@ use std::collections::HashMap;
 
 use proc_macro2::TokenStream;
 
+use crate::lower::Expression;
 use crate::lower::Lowered;
-use crate::lower::place::Expression;
 use crate::parse::{Argument, Kind};
 use kin_graph::{Column, Formula, Function, Input, LeafUse, Node, Op, Part};
 

@@ -58,9 +58,10 @@ pub struct ConstraintFn {
 }
 
 /// The second reader of the body, which reports the mistakes that any program may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SecondReader {
     /// Rustc: the body is a part of a program.
+    #[default]
     Rustc,
     /// No second reader: the body is a text.
     Nobody,

@@ -372,6 +372,9 @@ const _: () = {
         fn set_parameter_at(&mut self, index: usize, value: f64) -> bool {
             ::kin::emitted::set_at(&mut [&mut self.tip, &mut self.profile], index, value)
         }
+        fn set_law(&mut self, name: &str, law: &::kin::Law) -> bool {
+            ::kin::emitted::set_law(&mut [("profile", &mut self.profile)], name, law)
+        }
         #[cold]
         fn refusal(&self) -> ::core::option::Option<::std::string::String> {
             if let ::core::option::Option::Some(why) = ::kin::emitted::refusal(

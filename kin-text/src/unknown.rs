@@ -2,7 +2,7 @@
 
 use kin_graph::{Function, Function2};
 use kin_language::error::Mistakes;
-use kin_language::lower::template::Template;
+use kin_language::lower::Template;
 use kin_language::lower::{Failure, Lowered};
 use proc_macro2::{Ident, Span};
 use quote::ToTokens;

@@ -15,12 +15,12 @@ const ROOMS: [&str; 12] = [
     "design", "forces", "data",
 ];
 
-struct House {
+pub struct House {
     files: BTreeMap<Module, File>,
 }
 
 impl House {
-    fn read(folder: &str) -> Self {
+    pub fn read(folder: &str) -> Self {
         let root = &Path::new(ROOT).join(folder);
         let mut files = BTreeMap::new();
         let mut tests = Vec::new();
@@ -54,34 +54,38 @@ impl House {
     }
 
     /// All pairs of a file and one that it imports from.
-    fn edges(&self) -> BTreeSet<(&Module, &Module)> {
+    pub fn edges(&self) -> BTreeSet<(&Module, &Module)> {
         let of = |(here, file)| file_edges(self, here, file);
         self.files.iter().flat_map(of).collect()
     }
 
     /// Sets of files each of which leads to all others of its set.
     fn cycles(&self) -> Vec<Vec<String>> {
-        let edges = self.edges();
-        let reached = |from: &Module| -> BTreeSet<Module> {
-            let mut seen = BTreeSet::new();
-            let mut open = vec![from];
-            while let Some(here) = open.pop() {
-                let next = edges.iter().filter(|(from, _)| *from == here).map(|(_, to)| *to);
-                open.extend(next.filter(|to| seen.insert((*to).clone())));
-            }
-            seen
-        };
-        let leads: BTreeMap<&Module, BTreeSet<Module>> =
-            self.files.keys().map(|file| (file, reached(file))).collect();
-        let set = |file: &Module| -> Vec<String> {
-            let both =
-                |other: &&Module| leads[file].contains(*other) && leads[*other].contains(file);
-            self.files.keys().filter(both).map(|module| module.join("/")).collect()
-        };
-        let all: BTreeSet<Vec<String>> =
-            self.files.keys().map(set).filter(|set| set.len() > 1).collect();
-        all.into_iter().collect()
+        rings(&self.edges())
     }
+}
+
+/// Sets of files each of which leads to all others of its set by the pairs `edges`.
+pub fn rings(edges: &BTreeSet<(&Module, &Module)>) -> Vec<Vec<String>> {
+    let reached = |from: &Module| -> BTreeSet<Module> {
+        let mut seen = BTreeSet::new();
+        let mut open = vec![from];
+        while let Some(here) = open.pop() {
+            let next = edges.iter().filter(|(from, _)| *from == here).map(|(_, to)| *to);
+            open.extend(next.filter(|to| seen.insert((*to).clone())));
+        }
+        seen
+    };
+    let files: BTreeSet<&Module> = edges.iter().map(|(from, _)| *from).collect();
+    let leads: BTreeMap<&Module, BTreeSet<Module>> =
+        files.into_iter().map(|file| (file, reached(file))).collect();
+    let set = |file: &Module| -> Vec<String> {
+        let leads_back = |other: &&Module| leads.get(*other).is_some_and(|all| all.contains(file));
+        leads[file].iter().filter(leads_back).map(|module| module.join("/")).collect()
+    };
+    let all: BTreeSet<Vec<String>> =
+        leads.keys().map(|file| set(file)).filter(|set| set.len() > 1).collect();
+    all.into_iter().collect()
 }
 
 fn file_edges<'a>(

@@ -1,6 +1,7 @@
 //! How the workspace is built: short files and functions, plain comments, imports from the bottom
 //! up.
 
+mod calls;
 mod comments;
 mod imports;
 mod limits;

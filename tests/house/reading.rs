@@ -28,7 +28,8 @@ pub fn module(root: &Path, path: &Path) -> Module {
     parts
 }
 
-fn is_test(attributes: &[syn::Attribute]) -> bool {
+/// True of what only tests compile.
+pub fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes
         .iter()
         .any(|attribute| attribute.path().is_ident("cfg") && quote_of(attribute).contains("test"))

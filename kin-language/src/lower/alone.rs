@@ -6,8 +6,7 @@ use quote::ToTokens;
 use syn::visit::{self, Visit};
 use syn::{Block, Expr, ExprPath};
 
-use super::Lowered;
-use super::template::Template;
+use super::{Lowered, Template};
 use crate::constants;
 use crate::parse::{Argument, ConstraintFn, Kind, LawFn};
 use crate::vocabulary::{is_kin_function, is_std_function};

@@ -4,54 +4,25 @@
 //! mistake and continues.
 
 pub mod alone;
-mod apply;
-mod arguments;
-mod assign;
-mod borrow;
-mod branch;
-mod call;
-mod coerce;
-mod endless;
-mod expression;
-mod flow;
-mod function;
-mod generic;
-mod integer;
-mod join;
-mod loops;
-mod matching;
-mod method;
-mod operator;
-mod own;
-mod paths;
-mod pattern;
-pub mod place;
-mod rotation;
+mod methods;
+mod opaque;
 mod rows;
-mod rustc;
 mod scope;
-mod state;
-mod statement;
-pub mod template;
-mod typed;
-mod value;
+mod values;
+mod walk;
 
-use std::collections::HashMap;
+use proc_macro2::{Ident, TokenStream};
 
-use proc_macro2::{Ident, Span, TokenStream};
-use quote::ToTokens;
-
-use crate::error::Mistakes;
-use crate::parse::{Argument, ConstraintFn, SecondReader, Shape};
+pub use crate::error::Unreadable;
+use crate::parse::{Argument, ConstraintFn, SecondReader};
 use kin_graph::{Graph, Input, Node, Op};
 
-pub use arguments::component_paths;
-use flow::{Frame, Guard};
-pub use place::Expressions;
+pub use opaque::{Expression, Expressions, OpaqueKind, OpaqueValue, Template};
 pub use rows::{Row, names_as_written};
-use scope::{Scopes, Slot, Store};
-use template::Template;
-use value::Value;
+
+pub use values::{Attachment, component_paths};
+use values::{Read, Value};
+use walk::Reader;
 
 /// The body as a graph, with the data that emitted code needs about the inputs of the graph.
 pub struct Lowered {
@@ -95,66 +66,11 @@ impl Lowered {
     }
 }
 
-/// A local point or direction of a body that depends on no coordinate and not on time.
-#[derive(Clone, PartialEq)]
-pub struct Attachment {
-    /// The slot of the body.
-    pub slot: usize,
-    pub is_point: bool,
-    pub local: Vec<Node>,
-}
-
-/// A value that only rustc can compute, with the shape that its place needs.
-pub struct OpaqueValue {
-    pub template: Template,
-    pub kind: OpaqueKind,
-}
-
-/// The kind that the interpreter assumes for an opaque value.
-#[derive(Clone, PartialEq, Debug)]
-pub enum OpaqueKind {
-    Numbers(Shape),
-    Condition,
-}
-
 /// The reason why the body has no graph.
 pub enum Failure {
     Mistakes(syn::Error),
     Unreadable(Unreadable),
 }
-
-/// An expression that may be good Rust, but that the interpreter cannot read.
-pub struct Unreadable {
-    pub span: Span,
-    pub what: String,
-}
-
-impl Unreadable {
-    fn new(at: &dyn ToTokens, what: impl Into<String>) -> Self {
-        Unreadable { span: first_span(at), what: what.into() }
-    }
-}
-
-/// Returns the span at which an expression begins.
-fn first_span(at: &dyn ToTokens) -> Span {
-    at.to_token_stream().into_iter().next().map_or_else(Span::call_site, |token| token.span())
-}
-
-/// A value, or the end of the reading.
-type Read<T = Value> = Result<T, Unreadable>;
-
-/// The most nodes of a graph. With more, rustc needs seconds and a deep stack for the straight-line
-/// code.
-const MOST_NODES: usize = 4_000;
-/// The most turns of a loop that the interpreter unrolls.
-const MOST_TURNS: i64 = 4_096;
-/// The greatest depth of calls among the functions of the body.
-const MOST_CALLS: usize = 48;
-/// The most expressions that the interpreter reads, counting each turn of a loop.
-const MOST_EXPRESSIONS: usize = 1_000_000;
-/// The most parts of an expression that only rustc understands.
-const MOST_PARTS: usize = 250;
-
 /// Reads the body of `source`.
 pub fn constraint(source: &ConstraintFn) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
@@ -195,7 +111,7 @@ pub fn law(
 ) -> Result<Lowered, Failure> {
     with_constants(&|graph| {
         let mut reader = Reader::new(graph);
-        reader.second_reader = second_reader;
+        reader.signature.second_reader = second_reader;
         let x = reader.graph.input(Input::Column(0));
         reader.declare(variable.to_string(), Value::Scalar(x));
         reader.declare_arguments(parameters);
@@ -216,83 +132,7 @@ fn with_constants(read: &dyn Fn(Graph) -> Result<Lowered, Failure>) -> Result<Lo
     Ok(lowered)
 }
 
-/// The interpreter.
-struct Reader {
-    graph: Graph,
-    scopes: Scopes,
-    store: Store,
-    /// The frames around the present position, outermost first.
-    frames: Vec<Frame>,
-    mistakes: Mistakes,
-    parameters: Vec<TokenStream>,
-    opaques: Vec<OpaqueValue>,
-    opaque_index: HashMap<String, usize>,
-    laws: Vec<Template>,
-    law_index: HashMap<String, usize>,
-    leaves: Vec<OpaqueValue>,
-    leaf_index: HashMap<String, usize>,
-    expressions: Expressions,
-    /// Rotation matrices by their entries, each with its Euler parameters.
-    rotations: HashMap<Vec<Node>, Vec<Node>>,
-    attachments: Vec<Attachment>,
-    repeated_items: Vec<syn::Item>,
-    /// The types that the body declares.
-    own: own::Own,
-    /// In a text, the variables without `mut`, by their slots. Empty for a program.
-    fixed: HashMap<Slot, String>,
-    second_reader: SecondReader,
-    /// The lengths that the attribute gives to constants.
-    lengths: Vec<(Ident, syn::LitInt)>,
-    /// The types of the parameters that only rustc knows, by name.
-    parameter_types: HashMap<String, syn::Type>,
-    /// The types of the parameters that are integers or conditions, by name.
-    no_numbers: HashMap<String, String>,
-    /// The conditions that hold at the present position, from the branches and frames around it.
-    path: Vec<Guard>,
-    /// The declared type of the function's value.
-    output: Option<syn::Type>,
-    /// The number of the scope of the function's block.
-    body_depth: usize,
-    /// The present depth of calls among the functions of the body.
-    calls: usize,
-    expressions_read: usize,
-}
-
 impl Reader {
-    fn new(graph: Graph) -> Self {
-        let mut scopes = Scopes::default();
-        scopes.push();
-        Reader {
-            graph,
-            scopes,
-            store: Store::default(),
-            frames: Vec::new(),
-            mistakes: Mistakes::default(),
-            parameters: Vec::new(),
-            opaques: Vec::new(),
-            opaque_index: HashMap::new(),
-            laws: Vec::new(),
-            law_index: HashMap::new(),
-            leaves: Vec::new(),
-            leaf_index: HashMap::new(),
-            expressions: Expressions::default(),
-            rotations: HashMap::new(),
-            attachments: Vec::new(),
-            repeated_items: Vec::new(),
-            own: own::Own::default(),
-            fixed: HashMap::new(),
-            second_reader: SecondReader::Rustc,
-            lengths: Vec::new(),
-            parameter_types: HashMap::new(),
-            no_numbers: HashMap::new(),
-            path: Vec::new(),
-            output: None,
-            body_depth: 0,
-            calls: 0,
-            expressions_read: 0,
-        }
-    }
-
     /// Returns the value of the function's body.
     fn function_body(&mut self, body: &syn::Block, output: &syn::Type) -> Read {
         self.body_depth = self.scopes.depth() + 1;
@@ -308,33 +148,23 @@ impl Reader {
     /// Returns the result of the reading. If there is a mistake, the function reports it rather
     /// than an unreadable expression.
     fn finish(mut self, rows: Result<Vec<Row>, Failure>) -> Result<Lowered, Failure> {
-        self.mistakes.finish().map_err(Failure::Mistakes)?;
-        if self.opaques.is_empty() && self.leaves.is_empty() && self.laws.is_empty() {
+        let values = self.values;
+        values.mistakes.finish().map_err(Failure::Mistakes)?;
+        if values.parts.is_empty() {
             // Only the code for opaque values, leaves and laws can use these items.
             self.repeated_items.clear();
         }
         Ok(Lowered {
             rows: rows?,
-            graph: self.graph,
-            parameters: self.parameters,
-            opaques: self.opaques,
-            laws: self.laws,
-            leaves: self.leaves,
-            expressions: self.expressions,
-            attachments: self.attachments,
+            graph: values.graph,
+            parameters: values.signature.parameters,
+            opaques: values.parts.opaques,
+            laws: values.parts.laws,
+            leaves: values.parts.leaves,
+            expressions: values.expressions,
+            attachments: values.attachments,
             items: self.repeated_items,
             as_written: None,
         })
     }
-
-    /// Adds a mistake at `tokens`; the reading continues with a substitute value.
-    fn mistake(&mut self, tokens: &dyn ToTokens, message: impl std::fmt::Display) -> Value {
-        self.mistakes.add(tokens, message);
-        Value::Poison
-    }
-}
-
-/// Returns a message such as "`vec2` takes 2 numbers, not 1".
-fn counted(what: &str, takes: usize, of: &str, given: usize) -> String {
-    format!("{what} takes {takes} {of}{}, not {given}", if takes == 1 { "" } else { "s" })
 }

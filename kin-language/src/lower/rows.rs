@@ -3,8 +3,7 @@
 use quote::ToTokens;
 use syn::{Block, Expr, Stmt};
 
-use super::Reader;
-use super::value::Value;
+use crate::lower::values::{Value, Values};
 use crate::parse::{ConstraintFn, Role, Shape};
 use kin_graph::Node;
 
@@ -14,7 +13,7 @@ pub struct Row {
     pub node: Node,
 }
 
-impl Reader {
+impl Values {
     /// Returns the rows of the constraint. A value that differs from the signature or depends on no
     /// coordinate is a mistake.
     pub fn rows(&mut self, source: &ConstraintFn, value: &Value) -> Vec<Row> {

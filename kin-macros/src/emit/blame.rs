@@ -9,7 +9,7 @@ use super::kernel::Kernel;
 use super::{own, template};
 use kin_graph::{Node, Op};
 use kin_language::formula::{Outside, Written};
-use kin_language::lower::place::Expression;
+use kin_language::lower::Expression;
 use kin_language::lower::{Lowered, OpaqueKind};
 use kin_language::parse::Argument;
 

@@ -9,7 +9,7 @@ use syn::spanned::Spanned;
 use super::written::{located, silent};
 use handed::{MOST_ARGUMENTS, is_bindable, renamed};
 use kin_graph::{Graph, Node};
-use kin_language::lower::template::Template;
+use kin_language::lower::Template;
 use kin_language::lower::{OpaqueKind, OpaqueValue, component_paths};
 use kin_language::parse::Shape;
 use kin_language::vocabulary::{

@@ -7,7 +7,7 @@ use syn::spanned::Spanned;
 use super::{Site, Use, Writer, varies};
 use crate::emit::probe::{How, Probed};
 use kin_graph::Node;
-use kin_language::lower::template::Template;
+use kin_language::lower::Template;
 
 impl Writer<'_> {
     /// A struct or a variant: of what is put into it only constants may have to be converted.
