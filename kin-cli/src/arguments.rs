@@ -37,6 +37,8 @@ pub enum Command {
     Assemblies(Assemblies),
     /// The position at given values of the drivers, on the branch of the assembled position
     Pose(Pose),
+    /// All positions that are reached while one driver moves, past dead centres, by arc length
+    Circuit(Circuit),
     /// A measure of a joint or a coordinate over time, as CSV, and its extremes
     Measure(Measure),
     /// Proves by interval bounds that the computed motion is the only one
@@ -215,6 +217,24 @@ pub struct Pose {
     pub svg: Option<String>,
     #[command(flatten)]
     pub misfit: AllowedMisfit,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Circuit {
+    #[command(flatten)]
+    pub model: Model,
+    /// The driver that moves; the others are at rest
+    #[arg(long, value_name = "DRIVER")]
+    pub input: String,
+    /// How many positions are written, equally spaced by arc length
+    #[arg(long, default_value_t = 361)]
+    pub points: usize,
+    /// The file for the table of arc length, input and coordinates; `-` means standard output
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+    /// A page on which the mechanism goes round its circuit, as HTML
+    #[arg(long, value_name = "FILE")]
+    pub page: Option<String>,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -88,12 +88,14 @@ pub mod mechanism {
 
 /// Options and results of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
 pub mod solver {
+    pub use crate::ask::circuit::{Circuit, CircuitPoint};
     pub use crate::ask::follower::{Configuration, Follower};
     pub use crate::ask::solver::At;
     pub use crate::model::named_value::NamedValue;
     pub use crate::solve::assembly::{
         Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions,
     };
+    pub use crate::solve::circuit::CircuitEnd;
     pub use crate::solve::compile::Compiled;
     pub use crate::solve::newton::Stop;
     pub use crate::solve::sweep::Sweep;

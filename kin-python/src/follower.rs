@@ -7,6 +7,7 @@ use kin::solver::Follower as Native;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 
+use crate::circuit::Circuit;
 use crate::fault::or_raise;
 use crate::motion::Motion;
 use crate::numbers;
@@ -92,6 +93,12 @@ impl Follower {
     /// The configuration as a motion of one time.
     fn motion(&self) -> Motion {
         Motion::from(self.with(|native| native.here().motion()))
+    }
+
+    /// The circuit through the configuration where it is.
+    fn circuit(&self, py: Python<'_>, input: &str, points: usize) -> PyResult<Circuit> {
+        let found = py.detach(|| self.with(|native| native.circuit(input, points)));
+        or_raise(py, found).map(Circuit::from)
     }
 
     /// Constraints in which time stands still.

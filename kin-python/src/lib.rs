@@ -4,6 +4,7 @@
 //! Numbers pass as bytes, descriptions as the JSON of Kin's files, bodies by their names; all that
 //! takes long gives up Python's lock.
 
+mod circuit;
 mod design;
 mod equation;
 mod fault;
@@ -33,6 +34,8 @@ mod _native {
         Ok(())
     }
 
+    #[pymodule_export]
+    use crate::circuit::Circuit;
     #[pymodule_export]
     use crate::design::{Derivatives, gradient, samples, toggle_by, tolerance};
     #[pymodule_export]

@@ -90,3 +90,18 @@ def test_rates_are_those_of_a_run():
     qd, qdd = follower.rates({"motor": 2 * math.pi})
     motion = system.run([0, 0.3])
     assert np.allclose(qd, motion.qd[1], atol=1e-9) and np.allclose(qdd, motion.qdd[1], atol=1e-8)
+
+
+def test_a_circuit_passes_dead_centres():
+    a, b, c, d = lengths = (2.0, 1.5, 2.2, 3.5)
+    circuit = four_bar(lengths).follower(0.1).circuit("motor", 181)
+    assert circuit.is_closed and circuit.q.shape == (181, 9) and len(circuit.inputs) == 181
+    toggle = math.acos((a * a + d * d - (b + c) ** 2) / (2 * a * d))
+    assert sorted(dead.input for dead in circuit.dead_centres) == pytest.approx([-toggle, toggle], abs=1e-12)
+    assert circuit.range("crank.theta") == pytest.approx((-toggle, toggle), abs=1e-12)
+    assert circuit.crossings == [] and circuit.length > 0
+    curve = circuit.motion.point("coupler", (0.75, 0)).r
+    assert np.allclose(np.linalg.norm(curve - [d, 0], axis=1), c)
+    assert len(circuit.extremes("rocker.theta")) == 4 or len(circuit.extremes("rocker.theta")) == 2
+    with pytest.raises(kin.UnknownName, match="`motor`"):
+        four_bar().circuit("crank")

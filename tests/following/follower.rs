@@ -208,7 +208,7 @@ fn a_stop_says_where_and_what_is_in_line() {
     let error = follower.to([("motor", 3.0)]).unwrap_err();
     let text = error.to_string();
     assert!(text.starts_with("the follower stops at `motor` = "), "{text}");
-    assert!(text.contains(" rad on its way to `motor` = 3.0 rad."), "{text}");
+    assert!(text.contains(" rad on its way to `motor` = 3 rad."), "{text}");
     assert!(text.contains("`rocker`") && text.contains("`coupler`"), "{text}");
     let exact = bar.toggle(1.0, 1.0).unwrap();
     assert!((follower.drivers()[0].value - exact).abs() < 1e-12);
@@ -298,4 +298,75 @@ fn a_configuration_has_measures_by_name() {
     assert!(off.abs() < 1e-9, "{} {turn}", angle.value);
     assert!(here.measure("nothing").unwrap_err().to_string().contains("`nothing`"));
     assert_eq!(here.coordinate("nothing"), None);
+}
+
+/// A reach of a slider whose equation is not defined everywhere.
+#[constraint]
+fn root_of(x: Coord, y: Coord) -> f64 {
+    y - (1.0 - x).sqrt()
+}
+
+/// Where an equation is not defined the follower stays where it was, and says why.
+#[test]
+fn a_move_beyond_an_equation_leaves_the_follower_where_it_was() {
+    let mut m = Mechanism::new("root");
+    let x = m.length("x", 0.0).unwrap();
+    let y = m.length("y", 1.0).unwrap();
+    m.add("root", root_of(x, y)).unwrap();
+    m.add("motor", drive(x, Law::constant(0.0))).unwrap();
+    let mut follower = m.build().unwrap().follower(0.0).unwrap();
+    let error = follower.to([("motor", 3.0)]).unwrap_err();
+    assert!(matches!(&error, Error::CannotReach(stop) if stop.singular.is_none()), "{error}");
+    let text = error.to_string();
+    assert!(
+        text.starts_with("the follower stays at `motor` = 0 m") && !text.contains("t ="),
+        "{text}"
+    );
+    assert_eq!(follower.drivers()[0].value, 0.0);
+    assert!((follower.to([("motor", 0.75)]).unwrap().q()[1] - 0.5).abs() < 1e-12);
+}
+
+/// Redundant equations: three cranks on one rod.
+#[test]
+fn redundant_mechanisms_are_followed() {
+    let mut m = Mechanism::new("three cranks");
+    let rod = m.link("rod", 2.0).unwrap();
+    let cranks = ["a", "b", "c"].map(|name| m.link(name, 1.0).unwrap());
+    for (k, crank) in cranks.into_iter().enumerate() {
+        let x = k as f64;
+        m.add(&format!("O{k}"), revolute(Ground, crank, vec2(x, 0.0), crank.start())).unwrap();
+        m.add(&format!("A{k}"), revolute(crank, rod, crank.end(), vec2(x - 1.0, 0.0))).unwrap();
+    }
+    m.add("motor", drive_angle(cranks[0], Law::constant(0.8))).unwrap();
+    for crank in cranks {
+        m.prefer(crank, 0.8);
+    }
+    let mut follower = m.build().unwrap().follower(0.0).unwrap();
+    let here = follower.to([("motor", 2.0)]).unwrap();
+    for name in ["a.theta", "b.theta", "c.theta"] {
+        assert!((here.coordinate(name).unwrap() - 2.0).abs() < 1e-9, "{:?}", here.q());
+    }
+    let circuit = follower.circuit("motor", 100).unwrap_err().to_string();
+    assert!(circuit.contains("redundant"), "{circuit}");
+}
+
+/// A mechanism in space: a revolute joint and a slider on its plate.
+#[test]
+fn spatial_mechanisms_are_followed() {
+    let mut m = Mechanism::new("wrist");
+    let plate = m.spatial("plate", SpatialPose::at(vec3(0.0, 0.0, 0.0))).unwrap();
+    let zero = vec3(0.0, 0.0, 0.0);
+    let z = vec3(0.0, 0.0, 1.0);
+    m.add("hinge", spatial::revolute(plate, Ground, zero, zero, z, z)).unwrap();
+    m.add("motor", spatial::drive_turn(plate, Ground, z, z, Law::constant(0.0))).unwrap();
+    let mut follower = m.build().unwrap().follower(0.0).unwrap();
+    let value = follower.to([("motor", 5.0)]).unwrap().measure("hinge.angle").unwrap();
+    assert!(wrapped(value - 5.0).abs() < 1e-9, "{value}");
+    let circuit = follower.circuit("motor", 60).unwrap();
+    assert!(circuit.is_closed() && circuit.dead_centres().is_empty());
+    assert!((circuit.inputs()[59] - circuit.inputs()[0]).abs() - TAU < 1e-7);
+}
+
+fn wrapped(angle: f64) -> f64 {
+    (angle + PI).rem_euclid(TAU) - PI
 }

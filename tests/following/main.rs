@@ -3,6 +3,7 @@
 mod between;
 mod campaign;
 mod change_points;
+mod circuits;
 mod coarse;
 mod effort;
 mod failures;

@@ -1,6 +1,7 @@
 //! The commands, a file each where they are long.
 
 mod ask;
+mod circuit;
 mod forces;
 mod import;
 mod pose;
@@ -9,6 +10,7 @@ mod shell;
 mod sweep;
 
 pub use ask::{assemblies, check, diagnose, measure, prove, sensitivities, tolerance};
+pub use circuit::circuit;
 pub use forces::forces;
 pub use import::import;
 pub use pose::pose;

@@ -389,3 +389,16 @@ fn a_pose_with_a_wrong_driver_names_the_known_ones() {
     assert_eq!(code(&output), 2);
     assert!(told.contains("there is no driver `crank`") && told.contains("`motor`"), "{told}");
 }
+
+/// The circuit of a crank that turns round: the rocker swings, the motor never turns back.
+#[test]
+fn a_circuit_is_written_by_arc_length() {
+    let m = example("04_four_bar");
+    let table = data(&["circuit", &m, "--input", "motor", "--points", "91"]);
+    assert!(table.starts_with("s,motor [rad],crank.R_x [m],"), "{table}");
+    let rows = numbers(&table);
+    assert_eq!(rows.len(), 91);
+    assert!((rows[90][1] - rows[0][1] - std::f64::consts::TAU).abs() < 1e-7, "{:?}", rows[90]);
+    let told = words(&done(&["circuit", &m, "--input", "motor", "--csv", "/dev/null"]));
+    assert!(told.contains("a closed circuit of the driver `motor`"), "{told}");
+}

@@ -4,6 +4,7 @@
 mod build;
 mod calls;
 pub mod check;
+pub(crate) mod circuit;
 pub mod diagnosis;
 pub mod follower;
 pub mod measure;

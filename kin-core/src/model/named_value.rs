@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::model::words;
+
 /// The value of one driver or of one measure of a joint.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -17,7 +19,7 @@ pub struct NamedValue {
 
 impl fmt::Display for NamedValue {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` = {:?}", self.name, self.value)?;
+        write!(f, "`{}` = {}", self.name, words::time(self.value))?;
         match &self.unit {
             Some(unit) => write!(f, " {unit}"),
             None => Ok(()),

@@ -18,7 +18,7 @@ pub(crate) fn bytes(n: f64) -> String {
     format!("{:.digits$} {unit}", n / size)
 }
 
-/// Rounds a time to nine digits, without the noise of binary fractions.
+/// Rounds a number, such as a time, to nine digits, without the noise of binary fractions.
 pub(crate) fn time(t: f64) -> f64 {
     format!("{t:.8e}").parse().unwrap_or(t)
 }

@@ -5,6 +5,7 @@
 mod setters;
 
 pub(crate) mod assembly;
+pub(crate) mod circuit;
 pub(crate) mod compile;
 pub(crate) mod explain;
 pub(crate) mod first_run;

@@ -28,7 +28,7 @@ from ._design import (
     Sensitivity,
     Tolerance,
 )
-from ._follower import Configuration, Configurations, Follower
+from ._follower import Circuit, CircuitPoint, Configuration, Configurations, Follower
 from ._forces import Balance, BodyWrench, Drive, Energy, Forces, Growth, Reaction
 from ._friction import Friction
 from ._functions import (
@@ -100,6 +100,8 @@ __all__ = [
     "BodyWrench",
     "Break",
     "Compiled",
+    "Configuration",
+    "Configurations",
     "Constraint",
     "Contribution",
     "Coord",
@@ -173,6 +175,8 @@ __all__ = [
     "branch",
     "cbrt",
     "ceil",
+    "Circuit",
+    "CircuitPoint",
     "clip",
     "constraint",
     "cos",
@@ -185,6 +189,7 @@ __all__ = [
     "expm1",
     "fabs",
     "floor",
+    "Follower",
     "force",
     "ground",
     "hypot",

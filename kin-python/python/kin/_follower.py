@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, Mapping, Optional
 
 import numpy as np
@@ -68,6 +69,71 @@ class Configurations:
         return f"Configurations({len(self)} of {', '.join(self.drivers)})"
 
 
+@dataclass(frozen=True)
+class CircuitPoint:
+    """A position on a circuit: its arc `length`, the value of the `input`, the coordinates `q`, and the `value` of the quantity of which
+    it is an extreme."""
+
+    length: float
+    input: float
+    q: Any
+    value: float
+
+
+class Circuit:
+    """The whole connected curve of positions that a mechanism reaches while one driver moves, past dead centres, by arc length. The arc
+    length counts each coordinate divided by its characteristic size, so it has no unit."""
+
+    q: Any
+    """The coordinates, a row for each position, read-only.   [m, rad]"""
+    inputs: Any
+    """The values of the input, one for each position."""
+    motion: Motion
+    """The positions as a motion whose times are arc lengths, for points, tables and pictures."""
+
+    def __init__(self, native: "_native.Circuit") -> None:
+        self._native = native
+        self.motion = Motion(native.motion())
+        self.q = self.motion.q
+        self.inputs = array(native.inputs())
+
+    @property
+    def is_closed(self) -> bool:
+        """True if the circuit comes back to its first position."""
+        return self._native.is_closed()
+
+    @property
+    def length(self) -> float:
+        """The whole arc length."""
+        return self._native.length()
+
+    @property
+    def dead_centres(self) -> list[CircuitPoint]:
+        """Where the input turns back: a motor cannot drive the mechanism past."""
+        return _points(self._native.dead_centres())
+
+    @property
+    def crossings(self) -> list[CircuitPoint]:
+        """Where another circuit crosses this one."""
+        return _points(self._native.crossings())
+
+    def extremes(self, coordinate: str) -> list[CircuitPoint]:
+        """The extremes of a coordinate such as `rocker.theta`: the dead centres of a driver of this coordinate."""
+        return _points(self._native.extremes(coordinate))
+
+    def range(self, coordinate: str) -> tuple[float, float]:
+        """The least and the largest value of a coordinate over the circuit."""
+        least, most = self._native.range(coordinate)
+        return least, most
+
+    def __repr__(self) -> str:
+        return f"Circuit({'closed' if self.is_closed else 'open'}, {len(self.q)} positions, {len(self.dead_centres)} dead centres)"
+
+
+def _points(found: list[tuple[float, float, bytes, float]]) -> list[CircuitPoint]:
+    return [CircuitPoint(length, value, array(q), of) for length, value, q, of in found]
+
+
 class Follower:
     """Stands on one branch of a mechanism and moves along it by values of its drivers.
 
@@ -127,6 +193,14 @@ class Follower:
     def frozen(self) -> list[str]:
         """Names of the constraints that read time in another way than by a law of time alone. Time stands still in them."""
         return self._native.frozen()
+
+    def circuit(self, input: str, points: int = 361) -> Circuit:
+        """The circuit through the configuration where the follower is, as so many positions, equally spaced by arc length. The named driver
+        is the input; the others are at rest. The follower does not move.
+
+        Raises an error by name: no such driver, redundant equations, a singular position.
+        """
+        return Circuit(self._native.circuit(input, points))
 
     def rates(self, velocities: Mapping[str, float], accelerations: Optional[Mapping[str, float]] = None) -> tuple[Any, Any]:
         """q̇ and q̈ where the follower is, for these velocities and accelerations of the drivers; the others are at rest."""

@@ -11,7 +11,7 @@ from . import _mistakes, _native
 from ._diagnosis import Diagnosis
 from ._errors import Error
 from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _of
-from ._follower import Follower
+from ._follower import Circuit, Follower
 from ._forces import Forces
 from ._handles import Coordinate
 from ._mistakes import values
@@ -329,6 +329,14 @@ class System:
         Raises the errors of `position`, and one if no law of time drives the mechanism.
         """
         return Follower(self._native.follower(t, options or None), self._native)
+
+    def circuit(self, input: str, points: int = 361) -> Circuit:
+        """All positions that the mechanism reaches while the named driver moves, past dead centres: `points` of them, equally spaced by
+        arc length, from the assembled position at time 0.
+
+        Raises an error by name: no such driver, redundant equations, a singular position.
+        """
+        return self.follower().circuit(input, points)
 
     def compile(self) -> Compiled:
         """Compiles the system to one program and returns its description.

@@ -44,13 +44,13 @@ use drivers::Driver;
 pub struct Follower {
     /// The system, with laws of a path parameter in place of those of time. At 0 they have the
     /// present values.
-    system: System,
-    options: SolverOptions,
+    pub(in crate::ask) system: System,
+    pub(in crate::ask) options: SolverOptions,
     t0: f64,
     drivers: Vec<Driver>,
     frozen: Vec<String>,
     /// The present position. \[m, rad\]
-    q: Vec<f64>,
+    pub(in crate::ask) q: Vec<f64>,
     /// Where the next move begins instead, if the present position is singular.
     regular: Option<Regular>,
 }
@@ -167,6 +167,17 @@ impl Follower {
             self.system.solver().options(self.options.clone()).solve_at(0.0, &self.q)?;
         found.t = self.t0;
         Ok(found)
+    }
+
+    /// Gives the named driver the value t at time t, and returns its present value. The other
+    /// drivers are at rest.
+    pub(in crate::ask) fn let_run(&mut self, name: &str) -> Result<NamedValue> {
+        let k = self.number(name)?;
+        for driver in &self.drivers {
+            driver.set(&mut self.system, Law::constant(driver.value.value));
+        }
+        self.drivers[k].set(&mut self.system, Law::ramp(1.0));
+        Ok(self.drivers[k].value.clone())
     }
 
     /// Returns the values of all drivers with the given ones changed.

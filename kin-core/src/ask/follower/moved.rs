@@ -6,6 +6,7 @@ use crate::model::error::{CannotReach, Error, Result};
 use crate::model::law::Law;
 use crate::model::motion::{Motion, SingularPosition};
 use crate::model::named_value::NamedValue;
+use crate::model::words::list;
 use crate::solve::newton::run::Run;
 use crate::solve::newton::{Outcome, SolverOptions};
 use crate::system::System;
@@ -52,7 +53,7 @@ impl Follower {
             error.motion().and_then(|motion| motion.singular_positions().last().cloned());
         let is_end = matches!(error, Error::Toggle { .. });
         let Some(found) = singular.filter(|_| is_end) else {
-            let reason = error.to_string();
+            let reason = reason(&error);
             self.regular = None;
             self.q = q;
             self.rest_at(&start);
@@ -111,6 +112,26 @@ impl Follower {
             driver.value.value = *value;
             driver.set(&mut self.system, Law::constant(*value));
         }
+    }
+}
+
+/// Returns why a move ended, without the path parameter that stands for the time of the run.
+fn reason(error: &Error) -> String {
+    match error {
+        Error::CannotFollow { reason, .. } => (*reason).to_string(),
+        Error::WrongBranch { constraint, reason, .. } => {
+            format!("the axes of `{constraint}` would change their branch: {reason}")
+        }
+        Error::NotFinite { constraint, quantity, .. } => {
+            format!("{quantity} of `{constraint}` is not finite on the way")
+        }
+        Error::NoConvergence { constraint, .. } => {
+            format!("Newton's method does not satisfy `{constraint}` on the way")
+        }
+        Error::SingularAt { dependent, .. } => {
+            format!("the equations {} depend on one another on the way", list(dependent))
+        }
+        other => other.to_string(),
     }
 }
 

@@ -31,9 +31,10 @@ impl fmt::Display for CannotReach {
         let values = |all: &[NamedValue]| {
             joined(&all.iter().map(NamedValue::to_string).collect::<Vec<_>>(), "and")
         };
+        let verb = if self.singular.is_some() { "stops" } else { "stays" };
         write!(
             f,
-            "the follower stops at {} on its way to {}.",
+            "the follower {verb} at {} on its way to {}.",
             values(&self.reached),
             values(&self.asked)
         )?;

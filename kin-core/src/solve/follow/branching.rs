@@ -82,6 +82,17 @@ pub(super) fn find(
     Some(Branching { x, tangents, rates })
 }
 
+/// Returns the place where two curves cross, between two places of one of them at the distance
+/// `s`.
+pub(crate) fn crossing_between(
+    curve: &mut Curve<'_>,
+    here: &CurvePoint,
+    next: &CurvePoint,
+    s: f64,
+) -> Option<Vec<f64>> {
+    find(curve, here, next, s, 1.0).map(|crossing| crossing.x)
+}
+
 /// The reduced equation at the last x.
 struct Reduced<'a> {
     model: Model<'a>,

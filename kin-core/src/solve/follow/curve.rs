@@ -32,7 +32,7 @@ const SHRINKS: f64 = 0.2;
 const STRAIGHT: f64 = 0.97;
 
 /// The curve, with workspace buffers.
-pub(super) struct Curve<'a> {
+pub(crate) struct Curve<'a> {
     pub model: Model<'a>,
     /// s_j of each coordinate, and the scale of time.
     pub sizes: Vec<f64>,
@@ -43,7 +43,7 @@ pub(super) struct Curve<'a> {
 
 /// A place on the curve.
 #[derive(Clone, Debug)]
-pub(super) struct CurvePoint {
+pub(crate) struct CurvePoint {
     /// The point (q, t).
     pub x: Vec<f64>,
     /// The tangent x′, of length 1 in scaled units.
@@ -57,17 +57,17 @@ pub(super) struct CurvePoint {
 }
 
 impl CurvePoint {
-    pub(super) fn t(&self) -> f64 {
+    pub(crate) fn t(&self) -> f64 {
         self.x.last().copied().unwrap_or_default()
     }
 
     /// Returns dt/ds.
-    pub(super) fn dt(&self) -> f64 {
+    pub(crate) fn dt(&self) -> f64 {
         self.dx.last().copied().unwrap_or_default()
     }
 
     /// Returns q̇ = q′/t′ and q̈ = (q″ − q̇ t″)/t′².
-    pub(super) fn rates(&self) -> [Vec<f64>; 2] {
+    pub(crate) fn rates(&self) -> [Vec<f64>; 2] {
         let dt = self.dt();
         let ddt = self.ddx.last().copied().unwrap_or_default();
         let n = self.x.len() - 1;
@@ -77,7 +77,7 @@ impl CurvePoint {
     }
 
     /// Returns x + s x′ + ½ s² x″.
-    pub(super) fn ahead(&self, s: f64) -> Vec<f64> {
+    pub(crate) fn ahead(&self, s: f64) -> Vec<f64> {
         self.x
             .iter()
             .zip(&self.dx)
@@ -89,7 +89,7 @@ impl CurvePoint {
 
 impl<'a> Curve<'a> {
     /// Creates the curve of a system with as many equations as coordinates.
-    pub(super) fn new(system: &'a System, sizes: &[f64], time: f64) -> Self {
+    pub(crate) fn new(system: &'a System, sizes: &[f64], time: f64) -> Self {
         let model = system.model();
         let mut own = system.linear();
         let n = model.n();
@@ -107,7 +107,7 @@ impl<'a> Curve<'a> {
     }
 
     /// Returns the place at x, which is on the curve, with a tangent on the side of `along`.
-    pub(super) fn place(&mut self, x: Vec<f64>, along: &[f64]) -> Option<CurvePoint> {
+    pub(crate) fn place(&mut self, x: Vec<f64>, along: &[f64]) -> Option<CurvePoint> {
         self.factor(&x, along)?;
         let mut dx = self.solve(std::iter::repeat_n(0.0, self.model.n()).chain([1.0]));
         let length = self.dot(&dx, &dx).sqrt();
@@ -124,13 +124,13 @@ impl<'a> Curve<'a> {
     }
 
     /// Makes one step of length s, if it certainly follows the curve.
-    pub(super) fn step(&mut self, here: &CurvePoint, s: f64) -> Option<CurvePoint> {
+    pub(crate) fn step(&mut self, here: &CurvePoint, s: f64) -> Option<CurvePoint> {
         let (place, off) = self.at(here, s)?;
         (off <= OFF * s.abs() && self.dot(&place.dx, &here.dx) >= STRAIGHT).then_some(place)
     }
 
     /// Returns the place a step s further on, and the error of the prediction.
-    pub(super) fn at(&mut self, here: &CurvePoint, s: f64) -> Option<(CurvePoint, f64)> {
+    pub(crate) fn at(&mut self, here: &CurvePoint, s: f64) -> Option<(CurvePoint, f64)> {
         let mut x = here.ahead(s);
         let off = self.correct(&mut x, &here.dx)?;
         Some((self.place(x, &here.dx)?, off))
@@ -138,7 +138,7 @@ impl<'a> Curve<'a> {
 
     /// Corrects x by Newton's steps across the direction `border`, and returns the length of the
     /// first step.
-    pub(super) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
+    pub(crate) fn correct(&mut self, x: &mut [f64], border: &[f64]) -> Option<f64> {
         let mut first = 0.0;
         let mut previous = f64::INFINITY;
         let mut still = 0.5;
@@ -205,13 +205,13 @@ impl<'a> Curve<'a> {
 
     /// Returns the error of a place from rounding of x in scaled units. It is large far from the
     /// origin.
-    pub(super) fn rounding(&self, x: &[f64]) -> f64 {
+    pub(crate) fn rounding(&self, x: &[f64]) -> f64 {
         let shares = x.iter().zip(&self.sizes).map(|(x, size)| (x / size).abs());
         64.0 * f64::EPSILON * shares.fold(1.0, f64::max)
     }
 
     /// Returns the product of two directions in scaled units.
-    pub(super) fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
+    pub(crate) fn dot(&self, a: &[f64], b: &[f64]) -> f64 {
         a.iter().zip(b).zip(&self.sizes).map(|((a, b), size)| a / size * (b / size)).sum()
     }
 }

@@ -20,6 +20,9 @@ mod singular;
 mod turning;
 
 pub use crate::model::motion::{Branch, SingularKind, SingularPosition};
+pub(crate) use branching::crossing_between;
 pub(crate) use check::{Check, Objection, REACH, misses_too_far, turns_too_far};
+pub(crate) use curve::{Curve, CurvePoint};
 pub(crate) use drive::{Drive, Lever, Span};
 pub(crate) use passage::{Landed, Lost, pass};
+pub(crate) use root::root;

@@ -6,7 +6,7 @@ const EVALUATIONS: usize = 100;
 /// Returns s between a and b at which f changes its sign from `at_a` to `at_b`, or is at most
 /// `enough`, to rounding of s. It uses secants that move both ends (Illinois). Returns `None` if f
 /// returns `None`.
-pub(super) fn root(
+pub(crate) fn root(
     mut a: (f64, f64),
     mut b: (f64, f64),
     enough: f64,
