@@ -208,7 +208,7 @@ fn mistakes_in_data_are_told_by_name() {
         (
             r#""u_i":[0.0,0.0]"#,
             r#""u_i":[0.0]"#,
-            "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2 values",
+            "constraint `slot`: its parameter `u_i`: [0.0] is not a list of 2. ",
         ),
         (r#""kind":"cubic""#, r#""kind":"quartic""#, "unknown law `quartic`. Use one of `c"),
         (
@@ -219,7 +219,7 @@ fn mistakes_in_data_are_told_by_name() {
         (
             r#"{"Up":2.0}"#,
             r#"{"Down":2.0}"#,
-            "constraint `slot`: its parameter `bend`: it cannot be `Down`. Use one of `Up`, `Flat`",
+            "constraint `slot`: its parameter `bend`: it cannot be `Down`. Use one of `Up` and `Flat`",
         ),
         (r#""format":1"#, r#""format":2"#, "a newer Kin has written its format 2, but Kin "),
         (r#""format":1"#, r#""format":2,"colour":3"#, " reads format 1. Update Kin"),
@@ -292,7 +292,7 @@ fn unknown_names_in_data_are_told_with_the_known_ones() -> kin::Result<()> {
     assert_eq!(kind.matches('`').count(), 2 * (1 + 1 + 1 + 8 + 1), "{kind}");
     let parameter = told(&|file| file["constraints"][0]["parameters"]["u_k"] = json!(1.0));
     let expected =
-        "constraint `O`: `revolute` has no parameter `u_k`. Use one of `u_i`, `u_j`".to_string();
+        "constraint `O`: `revolute` has no parameter `u_k`. Use one of `u_i` and `u_j`".to_string();
     assert_eq!(parameter, expected);
     let law = told(&|file| file["constraints"][3]["parameters"]["law"]["kind"] = json!("rampe"));
     assert!(law.contains("unknown law `rampe`. Did you mean `ramp`? Use one of `ramp`, "), "{law}");
@@ -304,7 +304,7 @@ fn unknown_names_in_data_are_told_with_the_known_ones() -> kin::Result<()> {
     sized.dimension("rod", 0.3)?;
     let expression = sized.expression("2 * crnk").map(|_| ()).map_err(|error| error.to_string());
     let expected = "dimensions: the expression `2 * crnk`: there is no dimension `crnk`. Did you \
-                    mean `crank`? Use one of `crank`, `rod`";
+                    mean `crank`? Use one of `crank` and `rod`";
     assert_eq!(expression, Err(expected.to_string()));
     Ok(())
 }
@@ -340,7 +340,7 @@ fn a_slip_in_the_text_of_a_file_names_its_place_and_the_cure() {
             "\"guess\"",
             "\"gues\"",
             "line 3, column 42: `/bodies/0` has no key `gues`. Did you mean `guess`? Use one of `guess`, `name`, \
-             `kind`, `preferred`, `length`, `between`, `facing`",
+             `kind`, `preferred`, `length`, `between` and `facing`",
         ),
         (
             ", \"kind\": \"planar\"",
@@ -351,7 +351,7 @@ fn a_slip_in_the_text_of_a_file_names_its_place_and_the_cure() {
             "\"planar\": \"crank\"",
             "\"planer\": \"crank\"",
             "line 6, column 21: `/constraints/0/arguments/0` cannot be `planer`. Did you mean `planar`? \
-             Use one of `planar`, `spatial`, `coord`, `ground_coord`, `spatial_ground_coord`",
+             Use one of `planar`, `spatial`, `coord`, `ground_coord` and `spatial_ground_coord`",
         ),
         (
             "{ \"planar\": \"crank\" }",

@@ -2,15 +2,16 @@
 
 use std::sync::{Mutex, PoisonError};
 
-use kin::SolverOptions;
 use kin::solver::Follower as Native;
 use pyo3::prelude::*;
-use pyo3::types::PyBytes;
+use pyo3::types::{PyBytes, PyDict};
 
 use crate::circuit::Circuit;
 use crate::fault::or_raise;
 use crate::motion::Motion;
 use crate::numbers;
+use crate::options::options;
+use crate::system::System;
 
 /// A follower. Python's lock is given up while it moves.
 #[pyclass(frozen, module = "kin._native")]
@@ -20,10 +21,6 @@ pub struct Follower(Mutex<Native>);
 type Value = (String, Option<String>, f64);
 
 impl Follower {
-    pub fn new(system: &kin::System, t0: f64, options: SolverOptions) -> kin::Result<Self> {
-        Ok(Follower(Mutex::new(system.solver().options(options).follower(t0)?)))
-    }
-
     fn with<T>(&self, act: impl FnOnce(&mut Native) -> T) -> T {
         act(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
@@ -31,6 +28,21 @@ impl Follower {
 
 #[pymethods]
 impl Follower {
+    /// A follower on the branch of the position at time t.
+    #[new]
+    #[pyo3(signature = (system, t, keywords = None))]
+    fn new(
+        py: Python<'_>,
+        system: &System,
+        t: f64,
+        keywords: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let system = system.now();
+        let options = options(keywords)?;
+        let found = py.detach(|| system.solver().options(options).follower(t));
+        Ok(Follower(Mutex::new(or_raise(py, found)?)))
+    }
+
     /// Moves drivers to these values, and returns q there.
     fn to<'py>(
         &self,

@@ -13,7 +13,6 @@ use pyo3::types::{PyBytes, PyDict};
 use serde_json::json;
 
 use crate::fault::{or_raise, unreadable};
-use crate::follower::Follower;
 use crate::measured::What;
 use crate::motion::{Motion, Orders, quantity, series};
 use crate::numbers;
@@ -207,19 +206,6 @@ impl System {
             None => system.solver().options(options).position(t),
         });
         solved(py, &or_raise(py, found)?)
-    }
-
-    /// A follower on the branch of the position at time t.
-    #[pyo3(signature = (t, keywords = None))]
-    fn follower(
-        &self,
-        py: Python<'_>,
-        t: f64,
-        keywords: Option<&Bound<'_, PyDict>>,
-    ) -> PyResult<Follower> {
-        let system = self.now();
-        let options = options(keywords)?;
-        or_raise(py, py.detach(|| Follower::new(&system, t, options)))
     }
 
     /// C (0), C_t (1), q̇ (2) at q and t.

@@ -49,8 +49,8 @@ impl<'a> Condition<'a> {
     }
 
     /// By how much rounding may take the numbers of an order apart in two runs: to first order
-    /// 2 Σ |∂x/∂C_i| r_i over equations i and the orders up to this one, for r_i as much rounding of
-    /// equation i.
+    /// 2 Σ |∂x/∂C_i| r_i over equations i and the orders up to this one, where r_i is the rounding
+    /// of equation i.
     ///
     /// An error r_i of an equation moves q by C_q⁻¹ e_i r_i, which grows as C_q gets singular, and
     /// q̇ = −C_q(q)⁻¹ C_t(q), q̈ and q⃛ follow q.

@@ -30,8 +30,8 @@ const NEAR_SINGULAR: f64 = 10.0;
 /// positions.
 const DIGITS: f64 = 1e-6;
 
-/// At a singular position C_q has no inverse. Rounding of positions beside one is divided by how far
-/// away that is, as a share of the motion's time, for C_q is as small there; and of each order of
+/// At a singular position C_q has no inverse. Rounding of positions beside one is divided by how
+/// far away that is, as a share of the motion's time, for C_q is as small there; and of each order of
 /// rates it is divided once more. Nearer than `NEAREST` single steps compute rates.
 const ROUNDING: f64 = f64::EPSILON / 16.0;
 const NEAREST: f64 = 2e-4;
@@ -340,8 +340,8 @@ fn ends_the_same(plain: &Error, program: &Error, times: &[f64]) {
     ends_at_once(0.0, plain, program, times);
 }
 
-/// The same kind of end, at the same time but for rounding of lengths, with the same names, after as
-/// many times.
+/// The same kind of end, at the same time but for rounding of lengths, with the same names, after
+/// as many times.
 #[track_caller]
 fn ends_at_once(rounding: f64, plain: &Error, program: &Error, times: &[f64]) {
     assert_eq!(ends_apart(rounding, plain, program, times), None);

@@ -19,7 +19,9 @@ pub fn is_undefined(system: &System, times: &[f64], k: usize, near: f64) -> bool
     let about: Vec<f64> = before.filter(is_before).chain([t - near, t + near]).collect();
     let by_steps = SolverOptions::new().engine(Engine::StepByStep);
     let Ok(about) = system.solver().options(by_steps).run(&about) else { return false };
-    let is_near = |own: f64| (own - t).abs() <= near.abs();
+    // t ± near are rounded.
+    let rounded = 2.0 * f64::EPSILON * t.abs();
+    let is_near = |own: f64| (own - t).abs() <= near.abs() + rounded;
     about.breaks().iter().any(|own| is_near(own.between.0) && is_near(own.between.1))
         || about.events().iter().any(|event| is_near(event.t))
 }

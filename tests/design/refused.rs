@@ -250,7 +250,7 @@ fn an_extreme_that_is_not_of_the_motion_is_refused() {
             for part in [
                 "`x`",
                 &format!("the measure has no {word} at t = "),
-                "nearest {word} is at t = ",
+                &format!("The nearest {word} is at t = "),
                 "Choose an extreme",
             ] {
                 assert!(text.contains(part), "{part}: {text}");

@@ -162,7 +162,7 @@ fn handles_of_other_mechanisms_are_errors() {
         let error = result.expect_err(&format!("{k}"));
         assert!(
             matches!(error, Error::ForeignBody { .. })
-                && error.to_string().contains("belongs to another mechanism than \"four-bar\""),
+                && error.to_string().contains("does not belong to \"four-bar\""),
             "{k}: {error}"
         );
     }

@@ -155,7 +155,7 @@ fn a_tensor_hangs_on_dimensions() -> kin::Result<()> {
     assert_eq!(bits(&found), bits(&efforts(&again)));
     // A tensor that no body has is told, and the system stays as it was.
     for (name, x, told) in [
-        ("product", 0.9, "`product`: with 0.9 `rotor`"),
+        ("product", 0.9, "`product`: with the value 0.9 `rotor`"),
         ("product", f64::NAN, "`product`: the value is NaN"),
         ("j", -0.1, "the principal moment"),
         ("mass", -1.0, "the mass is -1. Give a value above zero"),
@@ -205,7 +205,7 @@ fn a_point_with_mass_hangs_on_dimensions() -> kin::Result<()> {
     assert!(far(&set, &effort(&build(false, [3.5, 0.9])?.build()?)?) < 1e-13);
     let error = system.set("bob", 0.0).expect_err("no mass").to_string();
     assert!(
-        error.contains("`bob`: with 0 ")
+        error.contains("`bob`: with the value 0 ")
             && error.contains("the mass is 0. Give a value above zero"),
         "{error}"
     );
@@ -220,10 +220,10 @@ fn what_makes_no_sense_is_told_by_name() -> kin::Result<()> {
     let mut system = described()?.build()?;
     let before = efforts(&system);
     for (name, x, told) in [
-        ("m", -1.0, "the dimension `m`: with -1 `arm` (mass): "),
+        ("m", -1.0, "the dimension `m`: with the value -1 `arm` (mass): "),
         ("m", 0.0, "the mass is 0. Give a value above zero"),
-        ("J", -0.01, "the dimension `J`: with -0.01 `arm` (mass): "),
-        ("r", 0.0, "the dimension `r`: with 0 `O` (friction): "),
+        ("J", -0.01, "the dimension `J`: with the value -0.01 `arm` (mass): "),
+        ("r", 0.0, "the dimension `r`: with the value 0 `O` (friction): "),
         ("mu", -0.1, "the coefficient of friction is -0.1"),
         ("g", f64::INFINITY, "the dimension `g`: the value is inf"),
         ("nobody", 1.0, "nobody"),
@@ -250,7 +250,7 @@ fn expressions_ranges_and_strangers_are_told_by_name() -> kin::Result<()> {
     let mut system = m.clone().build()?;
     assert!(system.set("x", 6.0).expect_err("a range").to_string().contains("outside the range"));
     let error = system.set("x", 0.0).expect_err("1/0").to_string();
-    assert!(error.contains("the dimension `x`: with 0 "), "{error}");
+    assert!(error.contains("the dimension `x`: with the value 0 "), "{error}");
     system.set("x", 4.0)?;
     let stranger = Mechanism::new("other").dimension("y", 1.0)?;
     let mut other = Mechanism::new("other");

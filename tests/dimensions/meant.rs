@@ -148,7 +148,7 @@ fn a_body_faces_where_dimensions_say() -> kin::Result<()> {
     let mut system = m.build()?;
     let before = system.initial().to_vec();
     let error = system.set("x", 0.0).expect_err("no direction").to_string();
-    assert!(error.contains("the dimension `x`: with 0 "), "{error}");
+    assert!(error.contains("the dimension `x`: with the value 0 "), "{error}");
     assert_eq!(system.initial(), before);
     Ok(())
 }

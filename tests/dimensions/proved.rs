@@ -209,7 +209,7 @@ fn of_what_no_bounds_are_known_there_is_no_proof() {
     let x = vec2(1.0, 0.0);
     let angle = |motion: &Motion| motion.transmission_angle((coupler, x), (rocker, x));
     let told = system.tolerance_proved(&motion, angle, 0.5).expect_err("a function").to_string();
-    assert!(told.contains("of coordinates only. Add a coordinate for it"), "{told}");
+    assert!(told.contains("of coordinates only. Add a coordinate for the measure"), "{told}");
     let told = |of: &dyn Fn(&mut Mechanism, Coordinate, Dimension)| {
         let mut m = Mechanism::new("odd");
         let p = m.dimension("p", 0.5).expect("a dimension").tolerance(0.6);

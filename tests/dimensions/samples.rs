@@ -100,8 +100,8 @@ fn a_fifth_of_a_box_that_cannot_be_assembled_is_told_with_its_share() {
         all.filter(|x| *x >= 0.0).fold((0.0, 0.0), |(sum, n), x| (sum + x.sqrt(), n + 1.0));
     assert!((found.mean() - sum / inside).abs() < 5.0 * found.sigma() / (count as f64).sqrt());
     let told = found.to_string();
-    let share = format!("{} samples, {:.1}", found.missing(), 100.0 * found.share_missing());
-    assert!(told.contains(&share) && told.ends_with("%) cannot be assembled."), "{told}");
+    let share = format!("{} samples ({:.1}", found.missing(), 100.0 * found.share_missing());
+    assert!(told.contains(&share) && told.ends_with(" %) cannot be assembled."), "{told}");
     // Beyond the toggle the stack has no corner.
     let stack = system.tolerance(&motion, slider.x()).expect("a tolerance");
     assert!(stack.corners.contains(&None), "{stack}");
@@ -185,5 +185,8 @@ fn clearances_and_distributions_that_make_no_sense_are_told_by_name() {
             .expect_err("none")
             .to_string()
     };
-    assert!(count(0).contains("0 samples") && count(usize::MAX).contains("samples"));
+    for many in [0, usize::MAX] {
+        let said = count(many);
+        assert!(said.contains(&format!("the number of samples is {many}. ")), "{said}");
+    }
 }

@@ -371,7 +371,7 @@ fn loads_of_a_file_that_make_no_sense_are_refused_by_name() {
             .expect("an object")
             .remove("u_i");
     });
-    assert_eq!(missing, "load `gas`: its parameter `u_i` is missing");
+    assert_eq!(missing, "load `gas`: its parameter `u_i` is missing. Is it meant by `u_j`?");
     assert_eq!(
         told(&|loads| loads[0]["parts"] = serde_json::json!([])),
         "a load has an empty name. Give the load a name"

@@ -235,7 +235,7 @@ fn names_that_no_measure_has_are_told_with_those_there_are() {
     };
     let slid = told("guide.slid");
     assert!(slid.contains("`buffer` (load): the load acts along `guide.slid`"), "{slid}");
-    assert!(slid.contains("This joint has `guide.slide`"), "{slid}");
+    assert!(slid.contains("This joint has the measures `guide.slide`"), "{slid}");
     assert!(told("motor.angle").contains("has no measure"), "{}", told("motor.angle"));
     assert!(told("lid.angle").contains("guide.slide"), "{}", told("lid.angle"));
     assert!(told("").contains("the load acts along ``"));

@@ -417,7 +417,7 @@ fn the_checker_finds_what_is_wrong() {
     let text = check::compare_law(&(Law::cycloidal(1.0, 1.0) + Law::new(Wrong)), -0.5, 0.4)
         .expect_err("wrong")
         .to_string();
-    assert!(text.contains("derivative 2"), "{text}");
+    assert!(text.contains("the derivative of order 2 at x = "), "{text}");
 }
 
 /// Every constructor of laws is in the table.

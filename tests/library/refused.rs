@@ -102,7 +102,7 @@ fn bad_parameters_of_planar_joints() {
                     Law::ramp(1.0),
                 ),
             ),
-            "path_x: spline: the table does not increase",
+            "path_x: spline: the values of x must increase, but x = 1 is followed by 0.5 (point 2)",
         ),
     ];
     for (found, said) in cases {
@@ -173,7 +173,9 @@ fn a_parameter_that_makes_no_sense_cannot_be_set() {
     m.add("theta", drive_angle(a, Law::ramp(1.0))).expect("let in");
     let mut system = m.build().expect("square");
     let error = system.set("rod.length", -2.0).expect_err("refused").to_string();
-    assert!(error.contains("`rod` (distance): a rod needs a length above zero"), "{error}");
+    let expected = "`rod` (distance): the length of the rod must be above zero; for pins at the \
+                    same point use `revolute` (length = -2)";
+    assert!(error.contains(expected), "{error}");
     assert_eq!(system.parameter("rod.length").expect("known"), 2.0);
     system.set("rod.length", 3.0).expect("good");
     assert!((system.position(0.0).expect("a position").q[0] - 3.0).abs() < 1e-14);
@@ -257,7 +259,7 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
     let error = driven(corner, &linspace(0.1, 1.9, 10)).expect_err("a corner");
     let text = error.to_string();
     assert!(matches!(error, Error::LawJumps { order: 1, .. }), "{text}");
-    assert!(text.contains("its slope changes suddenly at 1"), "{text}");
+    assert!(text.contains("the slope of the law changes suddenly at 1,"), "{text}");
     let before = error.motion().expect("the motion before");
     assert_eq!((before.len(), before.breaks().len()), (5, 0), "it ends before the corner");
     // a value that jumps, in a law of one's own that says so
@@ -278,7 +280,7 @@ fn a_jump_of_slope_where_motion_is_driven_is_an_error() {
         }
     }
     let text = driven(Law::new(Step), &[0.0, 1.0]).expect_err("a step").to_string();
-    assert!(text.contains("its value changes suddenly"), "{text}");
+    assert!(text.contains("the value of the law changes suddenly"), "{text}");
 }
 
 /// Breaks of a cam's profile are crossed by the angle at which it is asked, also over the cut of

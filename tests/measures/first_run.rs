@@ -134,7 +134,8 @@ fn angles_in_degrees_are_asked_about() {
             let [found] = &found[..] else { panic!("{name} {law:?}: {found:?}") };
             assert_eq!(found.kind, WarningKind::Degrees, "{name} {law:?}");
             assert!(found.names.contains(&"motor".to_string()), "{found:?}");
-            assert!(found.text.ends_with('?') && found.text.contains("Angles are in radians"));
+            let expected = "Angles are in radians; if degrees are meant, give `";
+            assert!(found.text.ends_with("`.") && found.text.contains(expected), "{found}");
         }
     }
     // The phase of a sine is an angle whatever it drives.

@@ -58,7 +58,7 @@ fn a_run_tells_when_a_pin_passes_the_end_of_its_slot() {
         let times: Vec<f64> = back.events().iter().map(|event| event.t).collect();
         times.iter().zip(exact.iter().rev()).for_each(|(found, exact)| near(*found, *exact, 1e-12));
         assert!(
-            back.events()[0].text.contains("passes its lower limit")
+            back.events()[0].text.contains("passes the lower limit")
                 && back.events()[3].text.contains("returns")
         );
     }
@@ -238,7 +238,7 @@ fn what_cannot_be_asked_is_told_by_name() {
     );
     assert!(
         said("D.angle").starts_with(
-            "there is no measure or coordinate `D.angle`. Use one of the names `O.angle` and `A.angle`"
+            "there is no measure or coordinate `D.angle`. Use one of `O.angle`, `A.angle`, "
         ),
         "{}",
         said("D.angle")

@@ -327,7 +327,7 @@ fn omega_of_a_precessing_body() {
             .rotation(kin::check::any_spatial())
             .unwrap_err()
             .to_string()
-            .contains("belongs to another mechanism than \"top\"")
+            .contains("`body` does not belong to \"top\"")
     );
 }
 

@@ -193,7 +193,9 @@ fn wrong_bounds_of_a_law_are_found() {
     }
     let kinked = Law::new(Kinked);
     let found = kin::check::compare_law(&kinked, -1.0, 1.0).unwrap_err().to_string();
-    assert!(found.contains("over the break at x = 0, where derivative 1 jumps"), "{found}");
+    let expected = "the derivative of order 1 jumps at the break at x = 0, so over this break `over` \
+                    must return at most 2 Taylor coefficients";
+    assert!(found.contains(expected), "{found}");
 }
 
 /// |x|, whose bounds forget that its slope jumps.

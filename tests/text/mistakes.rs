@@ -55,9 +55,10 @@ fn mistakes_are_told_as_the_macro_tells_them() {
         let found = told(&text);
         // A text has one route: what only dual numbers could take is a mistake at the same place.
         let is_told = |wanted: &String| match wanted.split_once("but Kin cannot read ") {
-            Some((_, told)) => {
+            Some((before, told)) => {
+                let place = before.split(' ').next().unwrap_or_default();
                 let told = told.split(". Rewrite").next().unwrap_or_default();
-                found.contains(&format!("Kin cannot read {told} in a text"))
+                found.contains(&format!("{place} Kin cannot read {told} in a text"))
             }
             None => found.contains(wanted),
         };

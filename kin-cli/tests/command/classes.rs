@@ -206,6 +206,12 @@ fn of_motions() -> Vec<Line> {
             "no position exists beyond the toggle",
             asked(&["run", m, "--times", "0:1:101", "--set", "C.u_i.x=6"]),
         ),
+        (
+            "CannotReach",
+            3,
+            "the follower stops at `motor` = 2.0236",
+            asked(&["pose", m, "--to", "motor=6", "--set", "C.u_i.x=6"]),
+        ),
         ("CannotFollow", 3, "Give closer times", asked(&["run", m, "--times", "0,1e9"])),
         ("WrongBranch", 1, "is assembled the wrong way round", run("door", &door(), "0:1:3")),
         (

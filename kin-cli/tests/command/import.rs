@@ -112,7 +112,8 @@ fn a_file_that_is_none_is_told_with_its_line() {
     assert_eq!(code(&spoilt), 5);
     let told = words(&spoilt);
     assert!(
-        told.contains("standard input: line ") && told.contains("`speed` is not known"),
+        told.contains("standard input: line ")
+            && told.contains("Kin does not know `speed` in a formula"),
         "{told}"
     );
     let none = done(&["import", "no such file.asmt"]);

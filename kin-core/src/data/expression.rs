@@ -205,7 +205,7 @@ mod tests {
     #[test]
     fn slips_are_told_and_nesting_ends() {
         for (text, told) in [
-            ("b", "there is no dimension `b`. Use one of `a`, `O.x`, `link 2`"),
+            ("b", "there is no dimension `b`. Use one of `a`, `O.x` and `link 2`"),
             ("link2", "there is no dimension `link2`. Did you mean `link 2`? Use one of `link 2`"),
             ("hypott(a, a)", "no function `hypott`. Did you mean `hypot`? Use one of `hypot`, "),
             ("a +", "missing at its end"),

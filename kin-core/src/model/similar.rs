@@ -101,11 +101,11 @@ mod tests {
     #[test]
     fn the_most_similar_name_is_the_first() {
         let known = ["rod", "slider", "crank"];
-        let expected = ". Did you mean `crank`? Use one of `crank`, `rod`, `slider`";
+        let expected = ". Did you mean `crank`? Use one of `crank`, `rod` and `slider`";
         assert_eq!(report("crnk", &known), expected);
-        assert_eq!(report("wheel", &known), ". Use one of `rod`, `slider`, `crank`");
-        assert_eq!(report("pin.z", &["pin.x", "pin.y"]), ". Use one of `pin.x`, `pin.y`");
-        assert_eq!(report("b", &["a", "link"]), ". Use one of `a`, `link`");
+        assert_eq!(report("wheel", &known), ". Use one of `rod`, `slider` and `crank`");
+        assert_eq!(report("pin.z", &["pin.x", "pin.y"]), ". Use one of `pin.x` and `pin.y`");
+        assert_eq!(report("b", &["a", "link"]), ". Use one of `a` and `link`");
         assert_eq!(report("crnk", &["crank"]), ". Use `crank`");
         assert_eq!(report("crnk", &[]), "");
     }

@@ -42,7 +42,7 @@ fn a_joint_without_a_name_is_read_and_called_after_its_line() {
     let whole = text(LAW, "");
     let (left_out, q) = read(&changed(&whole, "\t\t\t\t\tJ2\n", "\t\t\t\t\t\n"));
     let [told] = &left_out[..] else { panic!("{left_out:?}") };
-    assert!(told.contains("Kin leaves out the name of RevoluteJoint: it is empty"), "{told}");
+    assert!(told.contains("Kin leaves out the name of RevoluteJoint: the name is empty"), "{told}");
     let line = told.trim_start_matches("line ").split(':').next().expect("a line");
     assert!(told.contains(&format!("`RevoluteJoint at line {line}`")), "{told}");
     assert_eq!(q, read(&whole).1);

@@ -328,7 +328,7 @@ class System:
 
         Raises the errors of `position`, and one if no law of time drives the mechanism.
         """
-        return Follower(self._native.follower(t, options or None), self._native)
+        return Follower(_native.Follower(self._native, t, options or None), self._native)
 
     def circuit(self, input: str, points: int = 361) -> Circuit:
         """All positions that the mechanism reaches while the named driver moves, past dead centres: `points` of them, equally spaced by

@@ -389,7 +389,8 @@ pub enum Error {
     /// A dimension is invalid ([`crate::Mechanism::dimension`]).
     #[error(transparent)]
     Dimension(#[from] Box<crate::model::dimension::DimensionError>),
-    /// A follower cannot reach the driver values that a call gave it ([`crate::solver::Follower::to`]).
+    /// A follower cannot reach the driver values that a call gave it
+    /// ([`crate::solver::Follower::to`]).
     #[error(transparent)]
     CannotReach(#[from] Box<cannot_reach::CannotReach>),
     /// Kin cannot write a part of a mechanism as data, or data contain a mistake.

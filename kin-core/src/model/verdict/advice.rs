@@ -416,12 +416,12 @@ mod tests {
             exact: true,
         };
         for (parameter, unit, told) in [
-            ("length", "mm", "`rod.length` does not fit: it is 0.100 mm."),
-            ("radius_i", "m", "`rod.radius_i` does not fit: it is 0.100 m."),
-            ("angle", "mm", "`rod.angle` does not fit: it is 0.100 rad."),
-            ("k", "m", "`rod.k` does not fit: it is 0.100."),
-            ("lengths", "m", "`rod.lengths` does not fit: it is 0.100."),
-            ("length", "", "`rod.length` does not fit: it is 0.100."),
+            ("length", "mm", "`rod.length` is 0.100 mm and does not fit."),
+            ("radius_i", "m", "`rod.radius_i` is 0.100 m and does not fit."),
+            ("angle", "mm", "`rod.angle` is 0.100 rad and does not fit."),
+            ("k", "m", "`rod.k` is 0.100 and does not fit."),
+            ("lengths", "m", "`rod.lengths` is 0.100 and does not fit."),
+            ("length", "", "`rod.length` is 0.100 and does not fit."),
         ] {
             let change = Change::Resize { any: vec![number(parameter)] };
             assert_eq!(cause(&change, unit).as_deref(), Some(told));

@@ -80,12 +80,12 @@ impl Diagnosis {
         if self.gaps.is_empty() {
             self.special(f)?;
         }
-        let told =
+        let reported =
             |change: &&Change| !(self.gaps.is_empty() && matches!(change, Change::Resize { .. }));
         let causes: Vec<String> = self
             .changes
             .iter()
-            .filter(told)
+            .filter(reported)
             .filter_map(|change| cause(change, self.units.length()))
             .collect();
         lines(f, &causes, "cause", "causes")?;
@@ -101,12 +101,12 @@ impl Diagnosis {
                 .first()
                 .is_some_and(|own| self.gaps.iter().any(|gap| gap.rows.contains(&own.row)))
         };
-        let told = |found: &Dependency| {
+        let reported = |found: &Dependency| {
             open(found)
                 || matches!(found.class, Class::Contradictory { level: Level::Position, .. })
         };
         let dependencies: Vec<&Dependency> =
-            self.dependencies.iter().filter(|found| !told(found)).collect();
+            self.dependencies.iter().filter(|found| !reported(found)).collect();
         lines(f, &repeats::gathered(&dependencies), "dependency", "dependencies")?;
         // If there is a gap, only lasting freedoms are real. The others exist because the gap is
         // smallest there.
@@ -119,8 +119,8 @@ impl Diagnosis {
             (self.gaps.is_empty() || freedom.persistence == Persistence::Always) && !joins(freedom)
         };
         let unit = self.units.length();
-        let told = |freedom| WithUnit { told: freedom, unit };
-        let freedoms: Vec<_> = self.freedoms.iter().filter(real).map(told).collect();
+        let reported = |freedom| WithUnit { reported: freedom, unit };
+        let freedoms: Vec<_> = self.freedoms.iter().filter(real).map(reported).collect();
         lines(f, &freedoms, "freedom", "freedoms")?;
         self.advice(f)
     }
@@ -336,28 +336,28 @@ impl Display for Sum<'_> {
 
 /// A freedom or a motion whose points have a unit of length; none where it is empty.
 struct WithUnit<'a, T> {
-    told: &'a T,
+    reported: &'a T,
     unit: &'a str,
 }
 
 impl Display for Freedom {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        WithUnit { told: self, unit: "" }.fmt(f)
+        WithUnit { reported: self, unit: "" }.fmt(f)
     }
 }
 
 impl Display for WithUnit<'_, Freedom> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let WithUnit { told, unit } = *self;
-        let one = |motion| WithUnit { told: motion, unit }.to_string();
-        let mut shown: Vec<String> = told.motions.iter().take(SHOWN).map(one).collect();
-        match told.motions.len().saturating_sub(SHOWN) {
+        let WithUnit { reported, unit } = *self;
+        let one = |motion| WithUnit { reported: motion, unit }.to_string();
+        let mut shown: Vec<String> = reported.motions.iter().take(SHOWN).map(one).collect();
+        match reported.motions.len().saturating_sub(SHOWN) {
             0 => {}
             1 => shown.push("1 more body moves".to_string()),
             rest => shown.push(format!("{rest} more bodies move")),
         }
         let what = joined(&shown, "and");
-        match told.persistence {
+        match reported.persistence {
             Persistence::Always => write!(f, "Nothing drives this freedom: {what}")?,
             Persistence::OnlyHere => write!(f, "At this pose only, this motion is free: {what}")?,
             Persistence::Infinitesimal => {
@@ -365,26 +365,26 @@ impl Display for WithUnit<'_, Freedom> {
             }
         }
         let is_global = |motion: &BodyMotion| !matches!(motion.how, How::Changes { .. });
-        let is_any_global = told.motions.iter().take(SHOWN).any(is_global);
+        let is_any_global = reported.motions.iter().take(SHOWN).any(is_global);
         f.write_str(if is_any_global { " (in global coordinates)." } else { "." })
     }
 }
 
 impl Display for BodyMotion {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        WithUnit { told: self, unit: "" }.fmt(f)
+        WithUnit { reported: self, unit: "" }.fmt(f)
     }
 }
 
 impl Display for WithUnit<'_, BodyMotion> {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        let several = self.told.names.len() > 1;
+        let several = self.reported.names.len() > 1;
         let unit = if self.unit.is_empty() { String::new() } else { format!(" {}", self.unit) };
-        write!(f, "{} ", list(&self.told.names))?;
+        write!(f, "{} ", list(&self.reported.names))?;
         let verb = |one: &str| {
             if several { one.trim_end_matches('s').to_string() } else { one.to_string() }
         };
-        match self.told.how {
+        match self.reported.how {
             How::TurnsAbout { point: [x, y], .. } => {
                 write!(f, "{} about ({}, {}){unit}", verb("turns"), number(x), number(y))
             }

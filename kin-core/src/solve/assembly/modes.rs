@@ -282,7 +282,11 @@ impl<'a> Search<'a> {
                 (false, _) => "the time limit ended the search".to_string(),
                 (true, 0) => format!("none of {starts} starting poses led to an assembly"),
                 (true, _) if rarest < OFTEN => {
-                    format!("{starts} starting poses led to {w} assemblies, to one assembly only {rarest} times. Allow more starting poses")
+                    let times = match rarest {
+                        1 => "once".to_string(),
+                        _ => format!("{rarest} times"),
+                    };
+                    format!("{starts} starting poses led to {w} assemblies, to one assembly only {times}. Allow more starting poses")
                 }
                 (true, _) => {
                     format!("{starts} starting poses led to {w} assemblies. By the estimate {missing:.1} assemblies are missing. Allow more starting poses")

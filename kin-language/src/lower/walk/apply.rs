@@ -207,7 +207,9 @@ impl Reader {
                     nodes.push(known[nodes.len()])
                 }
                 (None, _) => {
-                    return Ok(self.mistake(literal, format!("`{name}` needs the field `{wanted}`")));
+                    return Ok(
+                        self.mistake(literal, format!("`{name}` needs the field `{wanted}`"))
+                    );
                 }
             }
         }

@@ -114,7 +114,7 @@ fn why_a_formula_cannot_be_read() {
     );
     assert!(
         reason("\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0", Law::ramp(1.0))
-            .contains("it calls a user-defined function")
+            .contains("the equation calls a user-defined function")
     );
     static READ: Table = Table::new("law.rs", "\nparameters\nrows 1\n- Column 0\n- Foreign 0 0 0");
     assert!(READ.law_over(&over(0.0, 1.0), &[], &nothing_outside).is_none());

@@ -251,7 +251,10 @@ fn parameters_of_sequences() {
         law.parts().iter().map(|(name, part)| (name.as_str(), part.kind())).collect::<Vec<_>>(),
         [("part[0].law", "ramp"), ("part[1].law", "linear")]
     );
-    assert_eq!((law.kind(), law.description().contains("one after the other")), ("sequence", true));
+    assert_eq!(
+        (law.kind(), law.description().contains("Sequence of laws, each over its length")),
+        ("sequence", true)
+    );
 }
 
 #[test]
@@ -292,7 +295,13 @@ fn a_law_over_and_over() {
             && !saw().periodic(0.5).is_smooth()
             && Law::harmonic(0.0, 1.0).periodic(std::f64::consts::TAU).is_smooth()
     );
-    assert_eq!((law.kind(), law.description().contains("over and over")), ("periodic", true));
+    assert_eq!(
+        (
+            law.kind(),
+            law.description().contains("repeats the first period of another law without end")
+        ),
+        ("periodic", true)
+    );
 }
 
 /// A break of the law at either end of the period is the seam's own: one that is not there when it
