@@ -339,7 +339,7 @@ fn a_slip_in_the_text_of_a_file_names_its_place_and_the_cure() {
         (
             "\"guess\"",
             "\"gues\"",
-            "line 3, column 42: `/bodies/0` has no key `gues`. Did you mean `guess`? Use one of `guess`, `name`, \
+            "line 3, column 42: `/bodies/0` has the unknown key `gues`. Did you mean `guess`? Use one of `guess`, `name`, \
              `kind`, `preferred`, `length`, `between` and `facing`",
         ),
         (

@@ -166,7 +166,7 @@ def test_a_measure_of_a_point_by_dimensions_follows_them_or_is_refused(made):
 @pytest.mark.parametrize(
     "change, words",
     [
-        (('"guess"', '"gues"'), "`/bodies/0` has no key `gues`. Did you mean `guess`. Use one of `guess`"),
+        (('"guess"', '"gues"'), "`/bodies/0` has the unknown key `gues`. Did you mean `guess`. Use one of `guess`"),
         (('"planar"', '"planer"'), "cannot be `planer`. Did you mean `planar`. Use one of"),
         (('"revolute"', '"revolut"'), "unknown constraint `revolut`. Did you mean `revolute`. Use one of `revolute`"),
         (("{", ""), "line 1, column "),

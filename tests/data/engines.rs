@@ -31,8 +31,8 @@ const NEAR_SINGULAR: f64 = 10.0;
 const DIGITS: f64 = 1e-6;
 
 /// At a singular position C_q has no inverse. Rounding of positions beside one is divided by how
-/// far away that is, as a share of the motion's time, for C_q is as small there; and of each order of
-/// rates it is divided once more. Nearer than `NEAREST` single steps compute rates.
+/// far away that is, as a share of the motion's time, for C_q is as small there; and of each order
+/// of rates it is divided once more. Nearer than `NEAREST` single steps compute rates.
 const ROUNDING: f64 = f64::EPSILON / 16.0;
 const NEAREST: f64 = 2e-4;
 

@@ -131,7 +131,7 @@ fn a_slip_in_a_file_is_told_with_its_place_and_the_known_names() {
         "key.json",
         "\"guess\"",
         "\"gues\"",
-        "`/bodies/0` has no key `gues`. Did you mean `guess`? Use",
+        "`/bodies/0` has the unknown key `gues`. Did you mean `guess`? Use",
     );
     slip(
         "word.json",

@@ -87,7 +87,7 @@ impl<'a> Reader<'a> {
 
     fn single(&mut self) -> Result<Dimension, String> {
         match self.peek() {
-            None => Err("a number is missing at its end".to_string()),
+            None => Err("a number must follow at the end of the expression".to_string()),
             Some('(') => self.bracketed(|reader| reader.sum()),
             Some('`') if self.takes('`') => {
                 let name = self.word(|c| c != '`');
@@ -208,14 +208,14 @@ mod tests {
             ("b", "there is no dimension `b`. Use one of `a`, `O.x` and `link 2`"),
             ("link2", "there is no dimension `link2`. Did you mean `link 2`? Use one of `link 2`"),
             ("hypott(a, a)", "no function `hypott`. Did you mean `hypot`? Use one of `hypot`, "),
-            ("a +", "missing at its end"),
+            ("a +", "must follow at the end"),
             ("(a", "closing bracket"),
             ("sin(a, a)", "does not take 2 numbers"),
             ("wave(a)", "no function `wave`"),
             ("1.2.3", "`1.2.3` is no number"),
             ("a b", "`b` is not allowed"),
             ("`a", "closing `"),
-            ("", "missing at its end"),
+            ("", "must follow at the end"),
             ("é", "there is no dimension"),
             ("€", "not allowed"),
         ] {

@@ -254,7 +254,7 @@ impl Registry {
             (_, None, Some(name)) => {
                 let known: Vec<String> = reader.asked.iter().map(|one| one.to_string()).collect();
                 let cure = match known[..] {
-                    [] => ". It has no parameters: remove this one".to_string(),
+                    [] => format!(". `{kind}` takes no parameters: remove `{name}`"),
                     _ => similar::cure(name, &known),
                 };
                 Err(format!("`{kind}` has no parameter `{name}`{cure}"))

@@ -73,7 +73,8 @@ impl Mistake {
         }
     }
 
-    /// Returns the sentence: "`/bodies/0` has no key `lenght`. Did you mean `length`? …". `root` is
+    /// Returns the sentence:
+    /// "`/bodies/0` has the unknown key `lenght`. Did you mean `length`? …". `root` is
     /// the word for the outermost value.
     pub(super) fn sentence(&self, root: &str) -> String {
         let path: String = self.inward.iter().rev().map(pointer).collect();
@@ -85,10 +86,10 @@ impl Mistake {
                 format!("{subject} lacks the key `{key}`. Add it{}", rename.unwrap_or_default())
             }
             Kind::Unknown { key, known } if known.is_empty() => {
-                format!("{subject} has no key `{key}`. Remove it")
+                format!("{subject} has the unknown key `{key}`. Remove it")
             }
             Kind::Unknown { key, known } => {
-                format!("{subject} has no key `{key}`{}", similar::cure(key, known))
+                format!("{subject} has the unknown key `{key}`{}", similar::cure(key, known))
             }
             Kind::Variant { word, known } => {
                 format!("{subject} cannot be `{word}`{}", similar::cure(word, known))

@@ -76,10 +76,10 @@ impl Surface {
                 let variable: String =
                     body.chars().map(|c| if c.is_alphanumeric() { c } else { '_' }).collect();
                 format!(
-                    "Give constraints {points} in the frame of `{body}`, which `m.{call}({variable}, {argument})` computes from global {points}"
+                    "Constraints need {points} in the frame of `{body}`. Convert global {points} by `m.{call}({variable}, {argument})`"
                 )
             }
-            Surface::Command => format!("Give constraints {points} in the frame of `{body}`"),
+            Surface::Command => format!("Constraints need {points} in the frame of `{body}`"),
         }
     }
 
