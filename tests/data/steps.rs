@@ -233,7 +233,10 @@ pub fn difference(
             .flat_map(|k| rows(one, k))
             .fold(f64::MIN_POSITIVE, |most, x| most.max(x.abs()));
         for k in 0..one.len() {
-            let off = |(a, b): (&f64, &f64)| !((a - b).abs() <= far * size);
+            let off = |(a, b): (&f64, &f64)| {
+                let gap = (a - b).abs();
+                gap.is_nan() || gap > far * size
+            };
             let Some(at) = rows(one, k).iter().zip(rows(other, k)).position(off) else { continue };
             if order > 0 && is_undefined(system, times, k, near) {
                 continue;

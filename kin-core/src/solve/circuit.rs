@@ -76,12 +76,12 @@ pub(crate) fn trace<'a>(
     let Some(start) = curve.place(x, &along) else {
         return Err(system.singular(t, &newton.q, None));
     };
-    let forth = Walk::new(&start, 1.0, &turns).to_its_end(&mut curve);
+    let forth = Walk::new(&start, 1.0, &turns).walked(&mut curve);
     let Some(end) = forth.end else {
         let Walk { places, lengths, crossings, .. } = forth;
         return Ok(Traced { curve, places, lengths, ends: None, crossings });
     };
-    let back = Walk::new(&start, -1.0, &turns).to_its_end(&mut curve);
+    let back = Walk::new(&start, -1.0, &turns).walked(&mut curve);
     let first = back.lengths.last().copied().unwrap_or_default();
     let mut places: Vec<CurvePoint> = back.places.into_iter().skip(1).rev().collect();
     for place in &mut places {
@@ -191,7 +191,7 @@ impl<'s> Walk<'s> {
         Walk { turns, places: vec![start], lengths: vec![0.0], crossings: Vec::new(), end: None }
     }
 
-    fn to_its_end(mut self, curve: &mut Curve<'_>) -> Self {
+    fn walked(mut self, curve: &mut Curve<'_>) -> Self {
         let mut s = FIRST;
         for _ in 0..MOST_STEPS {
             let here = self.here().clone();

@@ -60,7 +60,7 @@ fn other_value(examined: &Examined<'_>) -> Option<Elsewhere> {
             let (Some((_, column, _)), None) = (own.next(), own.next()) else { return None };
             let asked = examined.q[column];
             let stands = nearby.q[column];
-            let asks = Asks::of(&model.layout, column, asked, stands);
+            let asks = Asks::of(model.layout, column, asked, stands);
             (asked != stands).then(|| Elsewhere::Drive { constraint: block.name.clone(), asks })
         },
     )

@@ -113,7 +113,7 @@ fn asks(model: &Model<'_>, found: &Found, t: f64, rows: std::ops::Range<usize>) 
     q[column] -= c / value;
     let rounding = 1e-9 * c.abs() + 1e-12 * (value * found.measures.sizes[column]).abs();
     let reached = model.linearize(&q, t).is_ok_and(|point| point.c[rows.start].abs() <= rounding);
-    reached.then(|| Asks::of(&model.layout, column, q[column], stands))
+    reached.then(|| Asks::of(model.layout, column, q[column], stands))
 }
 
 impl Asks {
