@@ -120,7 +120,7 @@ fn slips_in_a_file_are_told_by_name() {
         (
             r#"{"name": "a", "value": "1 +"}"#,
             "1",
-            "dimension `a`: the expression `1 +`: a number is missing",
+            "dimension `a`: the expression `1 +`: a number must follow at the end of the expression",
         ),
         (
             r#"{"name": "a", "value": 1}, {"name": "a", "value": 1}"#,
