@@ -86,7 +86,7 @@ def test_arrays_that_are_called_say_so():
         ),
         (
             lambda system, motion: kin.Batch.of(system, ["O.u_i.x"], [0.0], ["rod.theta max"])({"note": ["x"], "O.u_i_x": [0.1]}),
-            "there is no column `O.u_i.x`. Did you mean `O.u_i_x`? Use one of `O.u_i_x`, `note`",
+            "there is no column `O.u_i.x`. Did you mean `O.u_i_x`? Use one of `O.u_i_x` and `note`",
         ),
     ],
 )
@@ -102,7 +102,7 @@ def test_an_unknown_name_is_told_with_the_known_ones(made, look, words):
 
 def test_an_unknown_body_is_told_with_the_known_ones(made):
     m, _, _, system, motion = made
-    with pytest.raises(kin.UnknownName, match="`crnk`. Did you mean `crank`. Use one of `crank`, `rod`, `rocker`"):
+    with pytest.raises(kin.UnknownName, match="`crnk`. Did you mean `crank`. Use one of `crank`, `rod` and `rocker`"):
         m["crnk"]
     with pytest.raises(TypeError, match="The ground is m.ground"):
         m["ground"]

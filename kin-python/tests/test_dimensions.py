@@ -186,7 +186,7 @@ def test_masses_loads_friction_and_preferences_hang_on_dimensions():
         built = plain.build()
         efforts = [one.forces(one.run(TIMES)).drive("motor").effort.value for one in (system, built)]
         assert np.allclose(*efforts, rtol=1e-13, atol=1e-13) and np.ptp(efforts[0]) > 1.0
-        with pytest.raises(kin.DimensionError, match="`mass`: with -1 `arm`"):
+        with pytest.raises(kin.DimensionError, match="`mass`: with the value -1 `arm`"):
             system.set("mass", -1.0)
         assert system.dimensions["mass"] == 2.5
 

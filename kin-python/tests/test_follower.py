@@ -100,7 +100,8 @@ def test_a_circuit_passes_dead_centres():
     assert sorted(dead.input for dead in circuit.dead_centres) == pytest.approx([-toggle, toggle], abs=1e-12)
     assert circuit.range("crank.theta") == pytest.approx((-toggle, toggle), abs=1e-12)
     assert circuit.crossings == [] and circuit.length > 0
-    curve = circuit.motion.point("coupler", (0.75, 0)).r
+    x, y, angle = circuit.q[:, 3], circuit.q[:, 4], circuit.q[:, 5]
+    curve = np.stack([x + 0.75 * np.cos(angle), y + 0.75 * np.sin(angle)], axis=1)
     assert np.allclose(np.linalg.norm(curve - [d, 0], axis=1), c)
     assert len(circuit.extremes("rocker.theta")) == 4 or len(circuit.extremes("rocker.theta")) == 2
     with pytest.raises(kin.UnknownName, match="`motor`"):

@@ -333,7 +333,7 @@ def test_require_and_measure_are_the_functions_own():
     system = m.build()
     motion = system.run(np.linspace(0, 1, 11))
     np.testing.assert_allclose(system.measure(motion, "rail.way").velocity, 0.5, atol=1e-13)
-    with pytest.raises(kin.InvalidConstraint, match="there is no `rail.wya`"):
+    with pytest.raises(kin.InvalidConstraint, match="`rail.wya` does not exist"):
         system.measure(motion, "rail.wya")
 
 

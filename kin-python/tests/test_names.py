@@ -247,9 +247,9 @@ def test_a_label_leads_back_to_its_assembly():
     for one in all_of_them:
         np.testing.assert_allclose(system.assembly(0.0, one.label, seed=3).q, one.q, atol=1e-9)
     assert isinstance(all_of_them, kin.Assemblies) and all_of_them.complete == "believed"
-    assert "starts" in all_of_them.reason and all_of_them[0].label == list(all_of_them)[0].label
+    assert "starting poses" in all_of_them.reason and all_of_them[0].label == list(all_of_them)[0].label
     cut_short = system.assemblies(0.0, starts=2)
-    assert cut_short.complete == "unknown" and "2 starts" in cut_short.reason
+    assert cut_short.complete == "unknown" and "2 starting poses" in cut_short.reason
     with pytest.raises(kin.UnknownName, match="label"):
         system.assembly(0.0, "left")
     with pytest.raises(TypeError, match="there is no option `effort`"):

@@ -38,7 +38,7 @@ def test_degrees_are_asked_about_in_words_of_python():
     [warning] = motion.warnings
     assert (warning.kind, warning.names, str(warning)) == ("degrees", ["motor", "crank"], str(caught[0].message))
     assert f"\n  warning: {warning}" in motion.summary
-    with pytest.warns(kin.MotionWarning, match=r"`motor\.law\.f0` is 90\. .* `kin\.deg\(90\)`\?"):
+    with pytest.warns(kin.MotionWarning, match=r"`motor\.law\.f0` is 90\. .* `kin\.deg\(90\)`\."):
         crank(kin.Law.linear(90, 1)).build().run([0.0, 0.1])
 
 
