@@ -1,9 +1,9 @@
 //! The lengths of a machine from what it does, by an optimiser of another crate:
 //! `cargo run --release --features argmin --example argmin`. The height of a coupler point has been
 //! measured over a turn; which four-bar goes so?
-use kin::argmin::core::{Executor, State};
-use kin::argmin::solver::linesearch::MoreThuenteLineSearch;
-use kin::argmin::solver::quasinewton::LBFGS;
+use kin::design::argmin::core::{Executor, State};
+use kin::design::argmin::solver::linesearch::MoreThuenteLineSearch;
+use kin::design::argmin::solver::quasinewton::LBFGS;
 use kin::prelude::*;
 use kin::results::Quantity;
 

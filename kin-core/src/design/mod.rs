@@ -36,6 +36,9 @@ mod tolerance;
 mod variation;
 
 pub use crate::model::dimension::Distribution;
+/// The crate of optimisers, in the version whose traits objectives implement.
+#[cfg(feature = "argmin")]
+pub use argmin;
 pub use feature::Feature;
 pub use measured::{ExtremeSensitivity, MeasureSensitivity};
 pub use objective::Objective;
