@@ -242,8 +242,8 @@ fn mistakes_in_data_are_told_by_name() {
     assert!(matches!(unknown, Err(Error::Data { place, .. }) if place == "constraint `slot`"));
 }
 
-/// A name that nothing has is told with the names that there are: the one that is meant, the most
-/// similar one first, and no more than eight.
+/// The error for an unknown name suggests the most similar name. The error lists at most eight
+/// known names, the most similar name first.
 #[test]
 fn unknown_names_in_data_are_told_with_the_known_ones() -> kin::Result<()> {
     let mut m = Mechanism::new("names");
@@ -327,8 +327,8 @@ fn a_body_named_ground_is_refused_with_the_cure() {
     assert_eq!(read, Err(expected.to_string()));
 }
 
-/// A slip in the text of a file is told with line, column and path, the key, what is known there,
-/// and the cure, in no words of serde.
+/// The error for a mistake in the text of a file has line, column and path, the key, the known keys
+/// and the cure, in Kin's words and not in those of serde.
 #[test]
 fn a_slip_in_the_text_of_a_file_names_its_place_and_the_cure() {
     let text = "{ \"name\": \"arm\",\n  \"bodies\": [\n    { \"name\": \"crank\", \"kind\": \"planar\", \

@@ -59,7 +59,6 @@ pub struct System {
     linear: Linear,
     /// The permitted ranges of measures.
     pub(crate) limits: Vec<Limit>,
-    /// The constraints with conditions or other kinks, which a run has to look for.
     /// Axes of which components were set.
     axes: Vec<axes::Given>,
     cache: Cache,

@@ -157,7 +157,8 @@ fn mistakes_of_circuits_are_named() {
     let (system, _) = bar.system(Law::constant(0.3), 0.3, 1.0).unwrap();
     let unknown = system.circuit("crank", 100).unwrap_err().to_string();
     assert!(unknown.contains("`crank`") && unknown.contains("`motor`"), "{unknown}");
-    assert!(system.circuit("motor", 1).is_err());
+    let few = system.circuit("motor", 1).unwrap_err().to_string();
+    assert!(few.contains("at least 2 positions, not 1"), "{few}");
     let circuit = system.circuit("motor", 100).unwrap();
     assert!(circuit.range("nothing").unwrap_err().to_string().contains("`crank.theta`"));
 }

@@ -198,6 +198,12 @@ fn mistakes_leave_the_follower_where_it_is() {
     let twice = text(follower.to([("left motor", 1.0), ("left motor", 2.0)]));
     assert!(twice.contains("left motor"), "{twice}");
     assert_eq!(follower.here().q(), before);
+
+    let mut m = Mechanism::new("at rest");
+    let x = m.length("x", 0.0).unwrap();
+    m.add("shaken", shaken(x)).unwrap();
+    let none = m.build().unwrap().follower(0.0).unwrap_err().to_string();
+    assert!(none.contains("\"at rest\" has no driver with a law of time"), "{none}");
 }
 
 /// A toggle names what is in line, in the values of the driver.
@@ -216,6 +222,12 @@ fn a_stop_says_where_and_what_is_in_line() {
     assert_eq!(at_stop.q(0), follower.here().q());
     // Beyond the toggle there is nothing: the next move stops there again.
     assert!(follower.to([("motor", 3.1)]).is_err());
+    assert!((follower.drivers()[0].value - exact).abs() < 1e-12);
+    // The same values once more: the driver has a name in the error, if there is one.
+    let there = follower.drivers()[0].value;
+    if let Err(error) = follower.to([("motor", there)]) {
+        assert!(error.to_string().contains("stops at `motor` = "), "{error}");
+    }
     assert!((follower.drivers()[0].value - exact).abs() < 1e-12);
 }
 

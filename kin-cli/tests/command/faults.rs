@@ -71,8 +71,8 @@ fn a_command_line_that_makes_no_sense_is_usage() {
     fails(&["completions", "shish"], 2, "shish");
 }
 
-/// A number that is none is told with its option, what was read, how a number is written, and its
-/// unit.
+/// The error for an option that needs a number names the option, the text that Kin read, an example
+/// of a number, and the unit.
 #[test]
 fn a_number_that_is_none_is_told_with_its_option_and_unit() {
     let m = &example("04_four_bar");

@@ -85,10 +85,8 @@ impl Follower {
     /// Errors: those of [`System::circuit`].
     pub fn circuit(&self, input: &str, points: usize) -> Result<Circuit> {
         if points < 2 {
-            return Err(Error::WrongLength {
-                what: "a circuit".to_string(),
-                expected: 2,
-                found: points,
+            return Err(Error::InvalidOptions {
+                reason: format!("a circuit has at least 2 positions, not {points}. Request more"),
             });
         }
         let mut own = self.clone();
@@ -100,16 +98,16 @@ impl Follower {
                     .to_string(),
             });
         }
-        own.options.check_memory(1, points, own.system.n_coordinates())?;
-        let is_angle = input.unit.as_deref() != Some(own.system.unit_words().length());
-        let system = own.system.clone();
-        let mut traced = trace(&system, &own.options, (&own.q, input.value), is_angle)?;
+        let Follower { system, options, q, .. } = own;
+        options.check_memory(1, points, system.n_coordinates())?;
+        let is_angle = input.unit.as_deref() != Some(system.unit_words().length());
+        let mut traced = trace(&system, &options, (&q, input.value), is_angle)?;
         let dead_centres = named(traced.zeros(CurvePoint::dt), |place| place.t());
-        let extremes = (0..own.q.len())
+        let extremes = (0..q.len())
             .map(|k| named(traced.zeros(|place| place.dx[k]), |place| place.x[k]))
             .collect();
         let crossings = traced.crossings.iter().map(|(length, x)| point(*length, x)).collect();
-        let (motion, inputs) = sampled(&system, &mut traced, points)?;
+        let (motion, inputs) = sampled(&system, &mut traced, points);
         let ends = traced.ends;
         Ok(Circuit { system, input, motion, inputs, ends, dead_centres, extremes, crossings })
     }
@@ -207,19 +205,18 @@ fn named(found: Vec<(f64, CurvePoint)>, value: impl Fn(&CurvePoint) -> f64) -> V
 }
 
 /// Returns so many positions as a motion by arc length, and the values of the input.
-fn sampled(system: &System, traced: &mut Traced<'_>, points: usize) -> Result<(Motion, Vec<f64>)> {
+fn sampled(system: &System, traced: &mut Traced<'_>, points: usize) -> (Motion, Vec<f64>) {
     let whole = traced.lengths.last().copied().unwrap_or_default();
     let mut motion = Motion::new(system, points);
     let mut inputs = Vec::with_capacity(points);
     let n = system.n_coordinates();
     for k in 0..points {
         let length = whole * k as f64 / (points - 1) as f64;
-        // Where two circuits cross no equation fixes the place: the nearest one serves.
-        let Some(place) = traced.at(length).or_else(|| traced.nearest(length)) else { continue };
+        let place = traced.at(length);
         let outcome = Outcome { iterations: 0, residual: 0.0 };
         let rows = [&place.x[..n], &place.dx[..n], &place.ddx[..n], &[]];
         motion.append(length, rows, outcome, 0);
         inputs.push(place.t());
     }
-    Ok((motion, inputs))
+    (motion, inputs)
 }

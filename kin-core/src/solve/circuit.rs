@@ -100,27 +100,22 @@ pub(crate) fn trace<'a>(
 }
 
 impl Traced<'_> {
-    /// Returns the place at an arc length.
-    pub fn at(&mut self, length: f64) -> Option<CurvePoint> {
+    /// Returns the place at an arc length. Where two circuits cross, the equations do not determine
+    /// the place; there it is the known place before it.
+    pub fn at(&mut self, length: f64) -> CurvePoint {
         let k = self.lengths.partition_point(|known| *known <= length).saturating_sub(1);
         let here = &self.places[k];
         let s = length - self.lengths[k];
-        if s == 0.0 {
-            return Some(here.clone());
-        }
         let middle =
             self.lengths.get(k + 1).is_some_and(|next| length > 0.5 * (self.lengths[k] + next));
-        if !middle {
-            return Some(self.curve.at(here, s)?.0);
-        }
-        let next = &self.places[k + 1];
-        Some(self.curve.at(next, length - self.lengths[k + 1])?.0)
-    }
-
-    /// Returns the known place nearest to an arc length.
-    pub fn nearest(&self, length: f64) -> Option<CurvePoint> {
-        let k = self.lengths.partition_point(|known| *known <= length).saturating_sub(1);
-        self.places.get(k).cloned()
+        let found = if middle {
+            self.curve.at(&self.places[k + 1], length - self.lengths[k + 1])
+        } else if s == 0.0 {
+            None
+        } else {
+            self.curve.at(here, s)
+        };
+        found.map_or_else(|| here.clone(), |(place, _)| place)
     }
 
     /// Returns the places at which a function of a place changes its sign, with their arc lengths.

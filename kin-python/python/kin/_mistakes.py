@@ -293,7 +293,7 @@ def values(kind: type[T]) -> type[T]:
     return kind
 
 
-_LOAD_METHOD, _LOAD_ATTR = opcode.opmap.get("LOAD_METHOD"), opcode.opmap["LOAD_ATTR"]
+_LOAD_METHOD, _LOAD_ATTR = opcode.opmap.get("LOAD_METHOD"), opcode.opmap.get("LOAD_ATTR")
 # From 3.12 on both are one instruction, whose lowest bit tells them apart.
 _ARE_ONE = sys.version_info >= (3, 12)
 

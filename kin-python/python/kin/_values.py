@@ -57,7 +57,7 @@ _WELD = (
 
 
 def local_of(call: str, local: Any) -> list[float]:
-    """A local position that a motion is asked for. Raises TypeError of one by dimensions, which would not follow them."""
+    """The numbers of a local position of a motion. Raises TypeError if the position depends on dimensions, because a motion would not follow them."""
     given = list(local) if isinstance(local, (tuple, list)) or hasattr(local, "_components") else []
     for one in given:
         if isinstance(one, Dimension):

@@ -82,10 +82,12 @@ impl Solver<'_> {
         let mut system = self.system.clone();
         let (drivers, frozen) = drivers::take(&mut system, t0, &q);
         if drivers.is_empty() {
-            return Err(Error::UnknownName {
-                what: "driver with a law of time",
-                name: self.system.name().to_string(),
-                known: Vec::new(),
+            return Err(Error::InvalidOptions {
+                reason: format!(
+                    "a follower moves drivers, but \"{}\" has no driver with a law of time. Drive a joint \
+                     or coordinate with a law whose argument is time",
+                    self.system.name()
+                ),
             });
         }
         let options = self.options.clone();

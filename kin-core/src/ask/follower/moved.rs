@@ -22,13 +22,14 @@ impl Follower {
     /// Moves all drivers to these values. After an error the follower is at the singular position,
     /// or where it was.
     pub(super) fn move_to(&mut self, targets: &[f64]) -> Result<()> {
-        let (start, q) = match self.regular.take() {
-            Some(Regular { values, q }) => (values, q),
+        let (start, q) = match &self.regular {
+            Some(Regular { values, q }) => (values.clone(), q.clone()),
             None => (self.values(), self.q.clone()),
         };
         match self.run(&start, &q, targets) {
             Ok(reached) => {
                 self.q = reached;
+                self.regular = None;
                 self.rest_at(targets);
                 Ok(())
             }
@@ -54,9 +55,7 @@ impl Follower {
         let is_end = matches!(error, Error::Toggle { .. });
         let Some(found) = singular.filter(|_| is_end) else {
             let reason = reason(&error);
-            self.regular = None;
-            self.q = q;
-            self.rest_at(&start);
+            self.rest_at(&self.values());
             return self.cannot_reach(targets, None, reason);
         };
         let way = |share: f64| -> Vec<f64> {
@@ -82,18 +81,18 @@ impl Follower {
         reason: String,
     ) -> Error {
         let reached = self.drivers();
-        let moved = |value: &&NamedValue, target: &f64| value.value != *target;
-        let pairs: Vec<(&NamedValue, f64)> = reached
-            .iter()
-            .zip(targets)
-            .filter(|(value, target)| moved(value, target))
-            .map(|(value, target)| (value, *target))
-            .collect();
+        let pairs = || reached.iter().zip(targets.iter().copied());
+        let mut moved: Vec<(&NamedValue, f64)> =
+            pairs().filter(|(value, target)| value.value != *target).collect();
+        if moved.is_empty() {
+            // The values are those of the singular position itself.
+            moved = pairs().collect();
+        }
         let asked =
-            pairs.iter().map(|(value, target)| NamedValue { value: *target, ..(*value).clone() });
+            moved.iter().map(|(value, target)| NamedValue { value: *target, ..(*value).clone() });
         Error::from(Box::new(CannotReach {
             asked: asked.collect(),
-            reached: pairs.iter().map(|(value, _)| (*value).clone()).collect(),
+            reached: moved.iter().map(|(value, _)| (*value).clone()).collect(),
             singular: singular.map(|found| found.kind),
             movable: singular.map(|found| found.movable.clone()).unwrap_or_default(),
             dependent: singular.map(|found| found.dependent.clone()).unwrap_or_default(),

@@ -84,9 +84,12 @@ impl<'a> Stepper<'a> {
 
     /// Begins the next step at this pose, which satisfies the equations at time t.
     pub(super) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
+        self.position_at(t, q).map(|_| ())
+    }
+
+    fn position_at(&mut self, t: f64, q: &[f64]) -> Result<&mut Position<'a>> {
         let (position, _) = Position::near(self.system, self.options, t, q)?;
-        self.position = Some(position);
-        Ok(())
+        Ok(self.position.insert(position))
     }
 
     /// Appends the pose at time t to `motion`, reached from time k of a known motion.
@@ -97,11 +100,7 @@ impl<'a> Stepper<'a> {
         t: f64,
         motion: &mut Motion,
     ) -> Result<()> {
-        let system = self.system;
-        let options = self.options;
-        let start = known.q(k);
-        let (position, _) = Position::near(system, options, known.times()[k], start)?;
-        let position = self.position.insert(position);
+        let position = self.position_at(known.times()[k], known.q(k))?;
         let outcome = position.advance(t)?;
         motion.append(t, position.rows(), outcome, position.worst);
         Ok(())

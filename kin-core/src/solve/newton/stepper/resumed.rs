@@ -1,6 +1,6 @@
 //! Continues with the step-by-step solver after a compiled program.
 
-use super::{Stepper, Steps, first_position};
+use super::{Newton, Stepper, Steps, first_position};
 use crate::model::error::Result;
 use crate::solve::follow::Span;
 use crate::solve::motion::Motion;
@@ -56,29 +56,33 @@ impl Stepper<'_> {
         self.check.iter_mut().for_each(|check| check.go_on(pivot));
     }
 
-    /// Begins the next step at this pose, which satisfies the equations at time t but for rounding.
-    /// Errors: C_q is singular there.
+    /// Begins the next step at this pose, which satisfies the equations at time t but for rounding,
+    /// as at the first position of a run. Errors: C_q is singular there.
     pub(in crate::solve::newton) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
+        self.begin(t, q, first_position::resume)
+    }
+
+    /// Begins the next step at time k of a motion, with the sizes of the present point, whatever
+    /// was done before. Errors: C_q is singular there.
+    pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
+        self.begin(motion.times()[k], motion.q(k), |newton, t| {
+            first_position::from_start(newton, t, Steps::Near).map(|_| ())
+        })
+    }
+
+    fn begin(
+        &mut self,
+        t: f64,
+        q: &[f64],
+        solve: impl FnOnce(&mut Newton<'_>, f64) -> Result<()>,
+    ) -> Result<()> {
         self.predictor.forget();
         self.passed.clear();
         self.newton.q.copy_from_slice(q);
-        first_position::resume(&mut self.newton, t)?;
+        solve(&mut self.newton, t)?;
         self.check.iter_mut().for_each(|check| check.accept(&self.newton));
         self.newton.linear.confirm();
         (self.last, self.untouched) = (Some(t), true);
-        Ok(())
-    }
-
-    /// Begins the next step at time k of a motion, whatever was done before. Errors: C_q is
-    /// singular there.
-    pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
-        self.predictor.forget();
-        self.passed.clear();
-        self.newton.q.copy_from_slice(motion.q(k));
-        first_position::from_start(&mut self.newton, motion.times()[k], Steps::Near)?;
-        self.check.iter_mut().for_each(|check| check.accept(&self.newton));
-        self.newton.linear.confirm();
-        (self.last, self.untouched) = (Some(motion.times()[k]), true);
         Ok(())
     }
 }
