@@ -49,10 +49,9 @@ pub use model::law;
 pub use model::loads::Load;
 pub use model::mechanism::{Mechanism, Pose, SpatialPose, deg, linspace, pose};
 pub use nalgebra;
-pub use newton::{Engine, Follow, SolverOptions};
 pub use numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3};
 pub use solve::motion::Motion;
-use solve::newton;
+pub use solve::options::{Engine, Follow, SolverOptions};
 pub use system::System;
 
 /// Errors, and the data that they carry.
@@ -96,8 +95,8 @@ pub mod solver {
         Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions,
     };
     pub use crate::solve::circuit::CircuitEnd;
-    pub use crate::solve::compile::Compiled;
-    pub use crate::solve::newton::Stop;
+    pub use crate::solve::compiled::description::Compiled;
+    pub use crate::solve::options::Stop;
     pub use crate::solve::sweep::Sweep;
 }
 
@@ -107,14 +106,14 @@ pub mod results {
     pub use crate::ask::measure::{Crossing, Extreme, Extremes, Measure};
     pub use crate::ask::proof;
     pub use crate::ask::proof::{Proof, StepProof, Tube, Unproved, UnprovedReason};
+    pub use crate::model::motion::CrossedBreak;
     pub use crate::model::units::Units;
     pub use crate::solve::follow::{Branch, SingularKind, SingularPosition};
     pub use crate::solve::motion::{
         Displacement, EngineCounts, Event, EventKind, Line, PointMotion, Quantity, QuantityValues,
         RotationMotion, Series, Warning, WarningKind,
     };
-    pub use crate::solve::newton::{CrossedBreak, Report};
-    pub use crate::system::Solution;
+    pub use crate::system::{Report, Solution};
 }
 
 /// The types of loads, and the library of springs, dampers, struts and similar loads.

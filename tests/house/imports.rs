@@ -15,6 +15,26 @@ const ROOMS: [&str; 12] = [
     "design", "forces", "data",
 ];
 
+/// The rooms of `solve/`, folders and files, each of which may import from those before it and from
+/// its own. `motion` derives results from a motion; the types of a motion are in an earlier room.
+const ROOMS_OF_SOLVE: [&str; 15] = [
+    "setters",
+    "assembly",
+    "options",
+    "explain",
+    "newton",
+    "motion",
+    "first_run",
+    "follow",
+    "step",
+    "redundant",
+    "run",
+    "compiled",
+    "whole_run",
+    "sweep",
+    "circuit",
+];
+
 pub struct House {
     files: BTreeMap<Module, File>,
 }
@@ -120,6 +140,35 @@ fn imports_go_down() {
         .map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/")))
         .collect();
     assert!(found.is_empty(), "these import from a room above their own: {found:#?}");
+}
+
+/// The number of a module's room in `solve/`.
+fn room_of_solve(module: &Module) -> Option<usize> {
+    let [first, second, ..] = &module[..] else { return None };
+    ROOMS_OF_SOLVE.iter().position(|room| first == "solve" && room == second)
+}
+
+#[test]
+fn imports_of_the_solver_go_down() {
+    let house = house();
+    let up = |(from, to): &(&Module, &Module)| {
+        room_of_solve(from).zip(room_of_solve(to)).is_some_and(|(from, to)| from < to)
+    };
+    let found: Vec<String> = house
+        .edges()
+        .into_iter()
+        .filter(up)
+        .map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/")))
+        .collect();
+    assert!(found.is_empty(), "these import from a room above their own: {found:#?}");
+    let homeless: Vec<String> = house
+        .files
+        .keys()
+        .filter(|module| module.len() > 1 && module[0] == "solve")
+        .filter(|module| room_of_solve(module).is_none())
+        .map(|module| module.join("/"))
+        .collect();
+    assert!(homeless.is_empty(), "in no room of solve: {homeless:?}");
 }
 
 /// The crates, each of which depends on those before it only.

@@ -2,7 +2,7 @@
 
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::model::error::Result;
-use crate::solve::newton::redundant;
+use crate::solve::redundant;
 use crate::system::System;
 
 impl System {

@@ -8,8 +8,11 @@ use crate::model::error::{Error, Result};
 use crate::solve::assembly::{Assemblies, Assembly, Label, modes};
 use crate::solve::explain::Start;
 use crate::solve::motion::Motion;
-use crate::solve::newton::{self, Newton, SolverOptions, Steps, first_position, redundant};
+use crate::solve::newton::{Newton, Steps, first_position};
+use crate::solve::options::SolverOptions;
+use crate::solve::run::{Run, times};
 use crate::solve::sweep::Sweep;
+use crate::solve::{compiled, redundant, whole_run};
 use crate::system::{Solution, System, time};
 
 /// A time, and the pose at which the solver begins.
@@ -135,7 +138,7 @@ impl<'a> Solver<'a> {
         if system.is_redundant() {
             return redundant::at(system, time(t)?, Some(q0), options, EXPLAIN);
         }
-        if let Some(found) = newton::compiled::position(system, time(t)?, q0, options) {
+        if let Some(found) = compiled::position(system, time(t)?, q0, options) {
             return Ok(found);
         }
         let mut newton = Newton::new(system, options);
@@ -161,7 +164,7 @@ impl<'a> Solver<'a> {
             !is_set(*stop)
         };
         let watch = is_watched.then_some(&mut watch as &mut dyn FnMut(usize) -> bool);
-        system.noted(newton::run::run(system, times, options, Some(EXPLAIN), watch))
+        system.noted(whole_run::run(system, times, options, Some(EXPLAIN), watch))
     }
 
     /// Runs in parts of `size` times each, so that the run needs the memory of one part only.
@@ -208,9 +211,9 @@ impl<'a> Solver<'a> {
         let size = size.max(1);
         let mut times = times.into_iter().peekable();
         options.check_memory(1, size, system.n_coordinates())?;
-        let mut run = newton::run::Run::new(system, options, Some(EXPLAIN))?;
-        let mut computing = newton::compiled::Computing::in_parts(system, options)?;
-        let mut order = newton::run::Order::default();
+        let mut run = Run::new(system, options, Some(EXPLAIN))?;
+        let mut computing = compiled::Computing::in_parts(system, options)?;
+        let mut order = times::Order::default();
         let mut before: Option<Motion> = None;
         let mut done = 0;
         while times.peek().is_some() {

@@ -12,10 +12,10 @@ use crate::model::coordinates::MechanismId;
 use crate::model::error::{Error, Result};
 use crate::model::law::Break;
 use crate::model::layout::Layout;
+use crate::model::motion::CrossedBreak;
 use crate::model::units::Units;
 use crate::solve::follow::SingularPosition;
 use crate::solve::motion::{EngineCounts, Event, Motion, Series, Warning};
-use crate::solve::newton::CrossedBreak;
 
 /// A motion as data, without loss.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

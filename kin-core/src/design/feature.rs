@@ -6,7 +6,7 @@ use super::measured;
 use crate::ask::measure::{Extreme, Extremes, Measure};
 use crate::model::error::Result;
 use crate::solve::motion::Motion;
-use crate::solve::newton::SolverOptions;
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 
 /// The number of steps of time in which an extreme is followed.

@@ -3,7 +3,7 @@
 use crate::ask::measure::Measure;
 use crate::model::error::{Error, Result};
 use crate::solve::motion::Quantity;
-use crate::solve::newton::run;
+use crate::solve::run::times;
 use crate::system::System;
 
 /// A function p → (value, gradient) of dimensions and parameters ([`System::objective`]).
@@ -59,7 +59,7 @@ impl System {
         let names: Vec<String> = names.into_iter().map(|name| name.as_ref().to_string()).collect();
         names.iter().try_for_each(|name| self.parameter(name).map(|_| ()))?;
         let times = times.as_ref().to_vec();
-        run::check(&times)?;
+        times::check(&times)?;
         Ok(Objective { system: self.clone(), names, times, what, cost })
     }
 }

@@ -9,7 +9,7 @@ use crate::model::error::Result;
 use crate::model::no_derivative::NoDerivative;
 use crate::numbers::rounded::Rounded;
 use crate::solve::explain::Start;
-use crate::solve::newton::SolverOptions;
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Measures;
 

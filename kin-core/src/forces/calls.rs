@@ -15,7 +15,7 @@ use crate::ask::solver::Solver;
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::solve::motion::{EngineCounts, Motion};
-use crate::solve::newton::Engine;
+use crate::solve::options::Engine;
 use crate::system::System;
 
 /// The forces of a motion: reactions of constraints, efforts of drivers, forces of loads, energies,

@@ -8,7 +8,8 @@ use crate::model::error::Result;
 use crate::model::layout::Place;
 use crate::model::units::Unit;
 use crate::solve::follow::{Curve, CurvePoint, crossing_between, root};
-use crate::solve::newton::{Newton, SolverOptions, first_position};
+use crate::solve::newton::{Newton, first_position};
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 
 /// The first step, the longest and the shortest step of the walk, in units of the sizes of

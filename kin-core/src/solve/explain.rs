@@ -4,7 +4,7 @@
 //! functions.
 
 use crate::model::error::Error;
-use crate::solve::newton::SolverOptions;
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Model;
 

@@ -1,15 +1,32 @@
-//! Computes positions, velocities and accelerations: Newton's method, runs that stay on their
-//! branch, assembly from poor guesses, sweeps, and motions.
+//! Computes positions, velocities and accelerations.
+//!
+//! The modules in order, each of which imports only from earlier ones:
+//!
+//! * `assembly`, `options`, `explain`: the search for a pose, the options of all solvers, and the
+//!   diagnosis as functions.
+//! * `newton`: one position by Newton's method, with its velocities and accelerations.
+//! * `motion`, `first_run`: results derived from a motion, and warnings.
+//! * `follow`: the checks that a step of time stays on its branch.
+//! * `step`, `redundant`: one step of time, of mechanisms with as many equations as coordinates and
+//!   with more.
+//! * `run`, `compiled`, `whole_run`: one time after the other, many times with the compiled
+//!   program, and a run with either engine.
+//! * `sweep`, `circuit`: many runs, and a curve of positions.
 
 #[macro_use]
 mod setters;
 
 pub(crate) mod assembly;
 pub(crate) mod circuit;
-pub(crate) mod compile;
+pub(crate) mod compiled;
 pub(crate) mod explain;
 pub(crate) mod first_run;
 pub(crate) mod follow;
 pub mod motion;
-pub mod newton;
+pub(crate) mod newton;
+pub mod options;
+pub(crate) mod redundant;
+pub(crate) mod run;
+mod step;
 pub mod sweep;
+pub(crate) mod whole_run;

@@ -11,10 +11,12 @@ use rayon::prelude::*;
 
 use crate::model::error::{Error, Result};
 use crate::numbers::lanes::Lanes;
+use crate::solve::compiled::{Cases, Varied};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
-use crate::solve::newton::compiled::{Cases, Varied};
-use crate::solve::newton::{self, SolverOptions};
+use crate::solve::options::SolverOptions;
+use crate::solve::run::times;
+use crate::solve::whole_run;
 use crate::system::System;
 use crate::system::parameters::CasePlace;
 
@@ -182,7 +184,7 @@ impl<'a> Sweep<'a> {
     ) -> Result<Vec<R>> {
         let times = times.as_ref();
         self.options.check()?;
-        newton::run::check(times)?;
+        times::check(times)?;
         self.check(cases)?;
         if matches!(self.lanes, Lanes::Only(_)) && !self.lanes.are_there() {
             return Err(not_there(self.lanes));
@@ -284,7 +286,7 @@ impl<C: AsRef<[f64]> + Sync, R: Send, K: Fn(usize, &System, Result<Motion>) -> R
         let options = &self.sweep.options;
         let explain = self.sweep.explain;
         let computing = self.means.computing(system, self.times.len(), options)?;
-        let motion = newton::run::run_by(system, self.times, (options, explain), computing);
+        let motion = whole_run::run_by(system, self.times, (options, explain), computing);
         (self.sweep.noted)(system, motion)
     }
 

@@ -8,7 +8,7 @@ use crate::model::coordinates::Ground;
 use crate::model::error::Error;
 use crate::model::mechanism::{Mechanism, linspace};
 use crate::numbers::algebra::Vec2;
-use crate::solve::newton::{Follow, SolverOptions};
+use crate::solve::options::{Follow, SolverOptions};
 use crate::system::System;
 
 /// Two points at a fixed distance: |r_P − r_Q| − l = 0.   \[m\]

@@ -5,7 +5,8 @@ use super::*;
 use crate::joints::planar;
 use crate::model::coordinates::Ground;
 use crate::model::mechanism::{Mechanism, pose};
-use crate::solve::newton::{Newton, SolverOptions, first_position};
+use crate::solve::newton::{Newton, first_position};
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 
 /// θ_j − θ_i − f(t) = 0.   \[rad\]

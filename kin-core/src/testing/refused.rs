@@ -5,7 +5,7 @@ use super::*;
 use crate::model::coordinates::{Ground, any_planar};
 use crate::model::error::Error;
 use crate::model::mechanism::{Mechanism, SpatialPose, pose};
-use crate::solve::newton::{SolverOptions, Stop};
+use crate::solve::options::{SolverOptions, Stop};
 use crate::system::System;
 
 #[test]

@@ -7,7 +7,7 @@ use super::*;
 use crate::joints::{drivers, planar};
 use crate::model::coordinates::{Ground, any_planar};
 use crate::model::mechanism::{Mechanism, SpatialPose, linspace, pose};
-use crate::solve::newton::{SolverOptions, Stop};
+use crate::solve::options::{SolverOptions, Stop};
 
 /// R3, its velocity and its acceleration in closed form.
 fn two_link_exact(t: f64) -> [[f64; 2]; 3] {

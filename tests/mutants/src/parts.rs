@@ -42,7 +42,7 @@ pub const PARTS: [Part; 6] = [
     Part { name: "laws", code: &["model/law"], tests: &["library", "measures", "jerk", "proof"] },
     Part {
         name: "programs",
-        code: &["program", "solve/newton/compiled.rs", "solve/newton/compiled"],
+        code: &["program", "solve/compiled"],
         tests: &["program", "sweeps", "jerk"],
     },
     Part { name: "forces", code: &["forces"], tests: &["forces"] },

@@ -5,7 +5,7 @@ use crate::model::verdict::{Class, Dependency, Level, Persistence, Term};
 use super::examined::{Examined, Side};
 use super::freedom;
 use crate::linear::{LeastSquares, Sparse};
-use crate::solve::newton::redundant::{ALLOWED, CONSISTENT};
+use crate::solve::redundant::{ALLOWED, CONSISTENT};
 
 /// At an open gap a coefficient below this value, in units of the norms of its rows, counts as
 /// zero. \[-\]

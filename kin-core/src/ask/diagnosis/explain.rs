@@ -3,7 +3,7 @@
 use super::{Diagnosis, diagnose};
 use crate::model::error::Error;
 use crate::solve::explain::{Explain, Start};
-use crate::solve::newton::SolverOptions;
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::{Model, Work};
 

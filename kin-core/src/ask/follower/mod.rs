@@ -9,7 +9,7 @@ use crate::ask::solver::Solver;
 use crate::model::error::{Error, Result};
 use crate::model::law::Law;
 use crate::model::named_value::NamedValue;
-use crate::solve::newton::SolverOptions;
+use crate::solve::options::SolverOptions;
 use crate::system::{Solution, System, time};
 
 pub use configuration::Configuration;

@@ -7,8 +7,9 @@ use crate::model::law::Law;
 use crate::model::motion::{Motion, SingularPosition};
 use crate::model::named_value::NamedValue;
 use crate::model::words::list;
-use crate::solve::newton::run::Run;
-use crate::solve::newton::{Outcome, SolverOptions};
+use crate::solve::newton::Outcome;
+use crate::solve::options::SolverOptions;
+use crate::solve::run::Run;
 use crate::system::System;
 
 /// The run of a move goes from this time to 0, so that the values at its end are the given ones to

@@ -8,8 +8,9 @@ use super::fine::rows;
 use crate::model::error::Result;
 use crate::model::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
-use crate::solve::newton::run::Run;
-use crate::solve::newton::{Outcome, SolverOptions};
+use crate::solve::newton::Outcome;
+use crate::solve::options::SolverOptions;
+use crate::solve::run::Run;
 use crate::system::System;
 
 /// The largest displacement between a change point and the poses computed from its branches. A

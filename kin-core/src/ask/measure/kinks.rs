@@ -9,7 +9,7 @@ use crate::model::formula::{Outside, Table};
 use crate::numbers::enclosure::interval::Interval;
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::solve::motion::{Event, EventKind, Motion};
-use crate::solve::newton::{Engine, SolverOptions};
+use crate::solve::options::{Engine, SolverOptions};
 use crate::system::System;
 use crate::system::evaluate::Block;
 

@@ -6,8 +6,9 @@ use super::Acting;
 use crate::model::error::Result;
 use crate::solve::follow::{SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
-use crate::solve::newton::run::Run;
-use crate::solve::newton::{Outcome, SolverOptions};
+use crate::solve::newton::Outcome;
+use crate::solve::options::SolverOptions;
+use crate::solve::run::Run;
 use crate::system::System;
 use crate::system::scaled::Measures;
 

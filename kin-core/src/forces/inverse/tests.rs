@@ -11,7 +11,7 @@ use crate::model::loads::{Acting, Load, Loads, OnBody, Solid};
 use crate::numbers::algebra::{Mat3, Vec3};
 use crate::program::tests::models::systems;
 use crate::solve::motion::Motion;
-use crate::solve::newton::{Engine, SolverOptions};
+use crate::solve::options::{Engine, SolverOptions};
 use crate::{Law, System, linspace};
 use kin_graph::{Graph, Node};
 

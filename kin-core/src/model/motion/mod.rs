@@ -6,7 +6,7 @@ mod crossed;
 mod event;
 mod series;
 mod singular;
-mod warning;
+pub(crate) mod warning;
 
 use std::sync::{Arc, OnceLock};
 

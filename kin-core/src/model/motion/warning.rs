@@ -1,6 +1,14 @@
 //! Describes the warnings of a motion: common mistakes with which a run still succeeds.
 
+use std::f64::consts::FRAC_PI_4;
+
 use serde::{Deserialize, Serialize};
+
+/// The largest number of warnings of one kind: a hundred bodies with the same slip need one cure.
+pub(crate) const MOST: usize = 4;
+
+/// Angles whose multiple of 45° is off by less are meant in radians: "300 turns", "π/4". \[-\]
+const EXACT: f64 = 1e-9;
 
 /// Kinds of [`Warning`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -55,4 +63,15 @@ impl std::fmt::Display for Warning {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(&self.text)
     }
+}
+
+/// An angle to one decimal.
+pub(crate) fn shown(angle: f64) -> f64 {
+    (angle * 10.0).round() / 10.0
+}
+
+/// True of a number that people write in radians: a multiple of π/4, such as 300 turns.
+pub(crate) fn is_usual(angle: f64) -> bool {
+    let eighths = angle / FRAC_PI_4;
+    (eighths - eighths.round()).abs() <= EXACT * eighths.abs().max(1.0)
 }

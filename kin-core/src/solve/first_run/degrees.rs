@@ -11,13 +11,13 @@ use std::cell::OnceCell;
 use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
 
-use super::MOST;
 use super::laws::{self, Role};
 use crate::model::constraint::Constraint;
 use crate::model::coordinates::Target;
 use crate::model::error::surface::Surface;
 use crate::model::law::Law;
 use crate::model::layout::Place;
+use crate::model::motion::warning::MOST;
 use crate::model::motion::{Warning, WarningKind};
 use crate::model::units::Unit;
 use crate::system::System;

@@ -6,21 +6,16 @@ mod degrees;
 mod laws;
 mod near_singular;
 
-use std::f64::consts::{FRAC_PI_4, TAU};
+use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use crate::model::coordinates::Target;
 use crate::model::error::Result;
 use crate::model::error::surface::Surface;
+use crate::model::motion::warning::{MOST, is_usual, shown};
 use crate::model::motion::{Warning, WarningKind};
 use crate::solve::motion::Motion;
 use crate::system::System;
-
-/// At most so many warnings of one kind: a hundred bodies with the same slip need one cure.
-pub(crate) const MOST: usize = 4;
-
-/// Angles whose multiple of 45° is off by less are meant in radians: "300 turns", "π/4".   \[-\]
-const EXACT: f64 = 1e-9;
 
 /// The warnings about the numbers of a system; kept beside it until one of them is set.
 struct OfSystem(Vec<Warning>);
@@ -115,15 +110,4 @@ fn begins_beyond_a_turn(driver: &str, angle: f64) -> Warning {
         Surface::chosen().angle(shown(angle)),
     );
     Warning::new(WarningKind::Degrees, &[driver], text)
-}
-
-/// An angle to one decimal.
-pub(crate) fn shown(angle: f64) -> f64 {
-    (angle * 10.0).round() / 10.0
-}
-
-/// True of a number that people write in radians: a multiple of π/4, such as 300 turns.
-pub(crate) fn is_usual(angle: f64) -> bool {
-    let eighths = angle / FRAC_PI_4;
-    (eighths - eighths.round()).abs() <= EXACT * eighths.abs().max(1.0)
 }

@@ -84,7 +84,7 @@ pub(super) fn time(newton: &Newton<'_>, q: &[f64], t: f64, h: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::solve::newton::SolverOptions;
+    use crate::solve::options::SolverOptions;
     use crate::{Mechanism, constraint};
 
     /// a x = k t, and y beside it, on which time does less.

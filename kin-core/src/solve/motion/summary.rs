@@ -6,10 +6,10 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use super::Motion;
 use crate::model::error::surface::Surface;
 use crate::model::layout::{Item, Kind};
+use crate::model::motion::warning::{is_usual, shown};
 use crate::model::motion::{Warning, WarningKind};
 use crate::model::words::{count, number};
 use crate::numbers::algebra::{EulerParameters, Vec3};
-use crate::solve::first_run::{is_usual, shown};
 
 /// The largest number of bodies in a summary.
 const SHOWN: usize = 4;

@@ -14,9 +14,10 @@
 //! reports such a position as singular, and uses another assembly only if the other assembly is
 //! nearer to preferred values.
 
-use super::{Failure, Follow, Newton, Outcome, Steps, driven};
+use super::{Failure, Newton, Outcome, Steps, driven};
 use crate::model::error::{Error, Result};
 use crate::solve::assembly::{self, search, turned_over};
+use crate::solve::options::Follow;
 use crate::system::scale;
 
 /// A preferred coordinate that ends this close is in the preferred assembly. \[rad, or typical

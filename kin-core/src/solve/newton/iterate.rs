@@ -1,15 +1,12 @@
 //! Implements Newton's iteration in one loop, for single positions and for mechanisms with more
 //! equations than coordinates.
 
-mod greater;
-pub(super) mod single;
-
-use super::options::{SolverOptions, Stop};
+use crate::solve::options::{SolverOptions, Stop};
 use crate::system::stop;
 
 /// The end of an iteration with a correction within the tolerance.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Ending {
+pub(in crate::solve) enum Ending {
     /// A position.
     Found,
     /// No position: the equations are not satisfied.
@@ -19,7 +16,7 @@ pub(super) enum Ending {
 }
 
 /// A position that Newton's steps search.
-pub(super) trait Iterating {
+pub(in crate::solve) trait Iterating {
     /// Evaluates C and C_q at the present point, and factors C_q if it has changed. Returns true if
     /// both are usable.
     fn look(&mut self) -> bool;
@@ -60,7 +57,11 @@ pub(super) trait Iterating {
 /// Runs Newton's method. Returns true if it ends at a position, whose matrix is then factored.
 /// Corrections must shrink if the start is `near`.
 #[inline(always)]
-pub(super) fn newton<I: Iterating>(point: &mut I, options: &SolverOptions, near: bool) -> bool {
+pub(in crate::solve) fn newton<I: Iterating>(
+    point: &mut I,
+    options: &SolverOptions,
+    near: bool,
+) -> bool {
     let mut previous = f64::INFINITY;
     // If only residuals count and steps need no test, corrections are not needed.
     let is_asked = options.rescue || matches!(options.stop, Stop::Converged { .. });

@@ -1,9 +1,9 @@
 //! Reports on the present point: its solution, its worst row, or the reason why the point is not a
 //! solution.
 
-use super::{Failure, Newton, Outcome, Report};
+use super::{Failure, Newton, Outcome};
 use crate::model::error::Error;
-use crate::system::Solution;
+use crate::system::{Report, Solution};
 
 /// A position with a smallest pivot above this value is not called singular, whatever stopped
 /// Newton's method. \[-\]

@@ -5,7 +5,8 @@ mod around;
 
 use super::{Check, Objection, REACH};
 use crate::numbers::padded::Padded;
-use crate::solve::newton::{Newton, SolverOptions, Steps};
+use crate::solve::newton::{Newton, Steps};
+use crate::solve::options::SolverOptions;
 use crate::{Law, Mechanism, System, constraint};
 
 #[constraint]

@@ -6,7 +6,8 @@ mod together;
 use super::*;
 use crate::model::error::Error;
 use crate::model::mechanism::linspace;
-use crate::solve::newton::{SolverOptions, Steps};
+use crate::solve::newton::Steps;
+use crate::solve::options::SolverOptions;
 use crate::{Mechanism, System, constraint};
 
 /// x² = 1 − t²/4: a toggle at t = 2.

@@ -4,7 +4,7 @@
 use super::super::{Factored, Lever, is_singular_near};
 use super::{Led, steep_system};
 use crate::numbers::padded::Padded;
-use crate::solve::newton::SolverOptions;
+use crate::solve::options::SolverOptions;
 use crate::{Mechanism, constraint};
 
 /// √x + y = 1 + t, y = 0: nothing below x = 0.

@@ -12,8 +12,9 @@ use crate::program::times::{Curve, Limits, ORDERS, Times};
 use crate::program::{Case, Tape};
 use crate::solve::follow::{REACH, misses_too_far};
 use crate::solve::motion::Motion;
-use crate::solve::newton::run::Run;
-use crate::solve::newton::{Outcome, Stop};
+use crate::solve::newton::Outcome;
+use crate::solve::options::Stop;
+use crate::solve::run::Run;
 use crate::system::evaluate::{Equations, Instant};
 use crate::system::stop;
 

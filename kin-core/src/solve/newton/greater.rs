@@ -6,7 +6,7 @@
 //! the greater choices: a `floor` at an integer gives this integer, and a condition at equality is
 //! true.
 
-use crate::solve::newton::Newton;
+use super::Newton;
 use crate::system::stop;
 
 /// The permitted error of a coordinate from the stop rule, as a share of its size, in addition to
@@ -39,7 +39,7 @@ impl Newton<'_> {
     /// one that is correct within rounding. Returns true if the matrix of the present position is
     /// factored.
     #[cold]
-    pub(in crate::solve::newton) fn take_greater_choices(&mut self, t: f64) -> bool {
+    pub(in crate::solve) fn take_greater_choices(&mut self, t: f64) -> bool {
         for _ in 0..ROUNDS {
             let Some(greater) = self.greater(t) else { return true };
             let kept = self.q.to_vec();

@@ -9,8 +9,8 @@ use crate::model::error::Result;
 use crate::numbers::lanes::Lanes;
 use crate::program::{Differences, NO_LANES, Pose, Refusal, Tape, program_of_cases, schedule};
 use crate::solve::motion::Motion;
-use crate::solve::newton::run::Run;
-use crate::solve::newton::{Engine, SolverOptions};
+use crate::solve::options::{Engine, SolverOptions};
+use crate::solve::run::Run;
 use crate::system::System;
 use crate::system::parameters::CasePlace;
 

@@ -8,9 +8,10 @@ use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::Tape;
 use crate::program::alone::Alone;
 use crate::program::times::Limits;
-use crate::solve::newton::{DOUBTFUL, Engine, Newton, Report, SIMILAR, SolverOptions, Stop};
+use crate::solve::newton::{DOUBTFUL, Newton, SIMILAR};
+use crate::solve::options::{Engine, SolverOptions, Stop};
 use crate::system::evaluate::Instant;
-use crate::system::{Solution, System, stop};
+use crate::system::{Report, Solution, System, stop};
 
 /// The largest number of Newton steps: a nearby start needs few, and other starts need damped
 /// steps.

@@ -1,26 +1,22 @@
 //! Continues with the step-by-step solver after a compiled program.
 
-use super::{Newton, Stepper, Steps, first_position};
+use super::stepper::Stepper;
 use crate::model::error::Result;
 use crate::solve::follow::Span;
 use crate::solve::motion::Motion;
+use crate::solve::newton::{Newton, Steps, first_position};
 use crate::system::evaluate::Instant;
 
 impl Stepper<'_> {
     /// Returns true if the ends of a step between two times with this smallest pivot show
     /// everything that time does in between.
-    pub(in crate::solve::newton) fn ends_suffice(
-        &mut self,
-        from: f64,
-        to: f64,
-        pivot: f64,
-    ) -> bool {
+    pub(in crate::solve) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.check.as_mut().is_none_or(|check| check.ends_suffice(from, to, pivot))
     }
 
     /// Tests the ends of a step and samples equations without bounds, at the position of the later
     /// time. The instant is at that position.
-    pub(in crate::solve::newton) fn samples_suffice(
+    pub(in crate::solve) fn samples_suffice(
         &mut self,
         (from, to, q): (f64, f64, &[f64]),
         pivot: f64,
@@ -37,7 +33,7 @@ impl Stepper<'_> {
 
     /// Takes the last three times of a motion as those before the next step; `pivot` is the
     /// smallest pivot at the last one.
-    pub(in crate::solve::newton) fn go_on(&mut self, motion: &Motion, pivot: f64) {
+    pub(in crate::solve) fn go_on(&mut self, motion: &Motion, pivot: f64) {
         let Some(last) = motion.len().checked_sub(1) else { return };
         let times = motion.times();
         self.predictor.forget();
@@ -58,13 +54,13 @@ impl Stepper<'_> {
 
     /// Begins the next step at this pose, which satisfies the equations at time t but for rounding,
     /// as at the first position of a run. Errors: C_q is singular there.
-    pub(in crate::solve::newton) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
+    pub(in crate::solve) fn begin_from(&mut self, t: f64, q: &[f64]) -> Result<()> {
         self.begin(t, q, first_position::resume)
     }
 
     /// Begins the next step at time k of a motion, with the sizes of the present point, whatever
     /// was done before. Errors: C_q is singular there.
-    pub(in crate::solve::newton) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
+    pub(in crate::solve) fn begin_at(&mut self, motion: &Motion, k: usize) -> Result<()> {
         self.begin(motion.times()[k], motion.q(k), |newton, t| {
             first_position::from_start(newton, t, Steps::Near).map(|_| ())
         })

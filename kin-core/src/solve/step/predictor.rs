@@ -8,9 +8,9 @@
 
 use wide::f64x4;
 
-use super::largest;
 use crate::numbers::lanes::lanewise::gone;
 use crate::numbers::padded::Padded;
+use crate::solve::newton::largest;
 
 /// The weights of q̇ (times h) and of q̈ (times h²) at the last three times, latest first.
 const RATES: [f64; 3] = [-949.0 / 240.0, 38.0 / 15.0, 581.0 / 240.0];
@@ -42,7 +42,7 @@ impl Pace {
     }
 }
 
-pub(super) fn is_same(h: f64, other: f64) -> bool {
+pub(in crate::solve) fn is_same(h: f64, other: f64) -> bool {
     (h - other).abs() <= EQUAL * h.abs()
 }
 
@@ -70,7 +70,7 @@ impl Long {
 
 /// The velocities and accelerations at the two times before the last one, and which formula to use.
 #[derive(Clone)]
-pub(super) struct Predictor {
+pub(in crate::solve) struct Predictor {
     past: [Rates; 2],
     pace: Pace,
     trusted: bool,
@@ -85,20 +85,20 @@ struct Rates {
 
 /// The last solution.
 #[derive(Clone, Copy)]
-pub(super) struct Last<'a> {
+pub(in crate::solve) struct Last<'a> {
     pub q: &'a Padded,
     pub qd: &'a Padded,
     pub qdd: &'a Padded,
 }
 
 impl Predictor {
-    pub(super) fn new(n: usize) -> Self {
+    pub(in crate::solve) fn new(n: usize) -> Self {
         let rates = || Rates { qd: Padded::new(n, 0.0), qdd: Padded::new(n, 0.0) };
         Predictor { past: [rates(), rates()], pace: Pace::NONE, trusted: true }
     }
 
     /// Writes the position a step h after the last solution into `q`.
-    pub(super) fn predict(&self, h: f64, last: Last<'_>, q: &mut Padded) {
+    pub(in crate::solve) fn predict(&self, h: f64, last: Last<'_>, q: &mut Padded) {
         if self.trusted && self.pace.knows(h) {
             self.long(h, last)
                 .zip(q.whole_mut())
@@ -109,7 +109,7 @@ impl Predictor {
     }
 
     /// Compares both formulas with the end `q` of the step h, which took Newton steps.
-    pub(super) fn compare(&mut self, h: f64, last: Last<'_>, q: &[f64], sizes: &[f64]) {
+    pub(in crate::solve) fn compare(&mut self, h: f64, last: Last<'_>, q: &[f64], sizes: &[f64]) {
         if self.pace.knows(h) {
             self.trusted = far(self.long(h, last), q, sizes) <= far(short(h, last), q, sizes);
         }
@@ -117,7 +117,7 @@ impl Predictor {
 
     /// Records the end of a step h: the data of the last solution become the past, and their place
     /// is free for new ones.
-    pub(super) fn advance(&mut self, h: f64, qd: &mut Padded, qdd: &mut Padded) {
+    pub(in crate::solve) fn advance(&mut self, h: f64, qd: &mut Padded, qdd: &mut Padded) {
         self.pace.advance(h);
         self.past.swap(0, 1);
         std::mem::swap(&mut self.past[0].qd, qd);
@@ -125,19 +125,19 @@ impl Predictor {
     }
 
     /// Undoes the step: restores the velocities and accelerations of the last solution.
-    pub(super) fn retreat(&mut self, qd: &mut Padded, qdd: &mut Padded) {
+    pub(in crate::solve) fn retreat(&mut self, qd: &mut Padded, qdd: &mut Padded) {
         std::mem::swap(&mut self.past[0].qd, qd);
         std::mem::swap(&mut self.past[0].qdd, qdd);
         self.forget();
     }
 
     /// Discards the data of times before the last one.
-    pub(super) fn forget(&mut self) {
+    pub(in crate::solve) fn forget(&mut self) {
         self.pace = Pace::NONE;
     }
 
     /// Returns q̇ and q̈ before the last step.
-    pub(super) fn before(&self) -> [&Padded; 2] {
+    pub(in crate::solve) fn before(&self) -> [&Padded; 2] {
         [&self.past[0].qd, &self.past[0].qdd]
     }
 

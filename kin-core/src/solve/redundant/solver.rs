@@ -1,10 +1,10 @@
 //! Solves more equations than coordinates: a selection of independent equations, or all equations
 //! by least squares.
 
-use super::super::SolverOptions;
 use crate::linear::{Independent, LeastSquares};
 use crate::model::error::Result;
 use crate::solve::explain::{Explain, Start};
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::{Measures, Model};
 

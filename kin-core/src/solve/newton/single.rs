@@ -1,12 +1,12 @@
 //! Iterates one position of a mechanism with as many equations as coordinates.
 
-use super::{Ending, Iterating};
+use super::iterate::{Ending, Iterating};
+use super::{Failure, Newton, Steps, largest};
 use crate::numbers::padded;
-use crate::solve::newton::{Failure, Newton, Steps, largest};
 use crate::system::stop;
 
 /// A single position that Newton's steps search.
-pub(in crate::solve::newton) struct Single<'n, 'a> {
+pub(super) struct Single<'n, 'a> {
     pub newton: &'n mut Newton<'a>,
     pub t: f64,
     pub steps: Steps,
@@ -20,7 +20,7 @@ pub(in crate::solve::newton) struct Single<'n, 'a> {
 }
 
 /// A position that satisfies all equations, on a branch that its last correction leaves.
-pub(in crate::solve::newton) struct Left {
+pub(super) struct Left {
     pub q: Vec<f64>,
     choices: Vec<f64>,
 }

@@ -1,41 +1,31 @@
-//! Solves C(q, t) = 0 by Newton's method, and q̇ and q̈ with the matrix of the last convergence
-//! check.
+//! Solves C(q, t) = 0 by Newton's method at one time, and q̇ and q̈ with the matrix of the last
+//! convergence check.
 //!
-//! The module `iterate` contains one iteration for single positions and for redundant mechanisms
-//! (`redundant`). The loop of `advance` makes the smaller steps of time. The module `compiled`
-//! computes many times at once with a program.
+//! The module `iterate` contains the iteration for mechanisms with as many equations as coordinates
+//! (`single`) and for redundant mechanisms ([`crate::solve::redundant`]).
 
-mod advance;
-pub(crate) mod compiled;
 mod driven;
 pub(crate) mod first_position;
-mod iterate;
-mod law_breaks;
-mod options;
-pub(crate) mod predictor;
+mod greater;
+pub(super) mod iterate;
 mod rates;
-pub(crate) mod redundant;
 mod report;
-pub(crate) mod run;
-mod stepper;
-
-pub use crate::model::motion::CrossedBreak;
-pub use crate::system::Report;
-pub use options::{Engine, Follow, SolverOptions, Stop};
+mod single;
 
 use crate::linear::{Linear, RANK};
 use crate::numbers::padded::{self, Padded};
+use crate::solve::options::{SolverOptions, Stop};
 use crate::system::System;
 use crate::system::evaluate::{Bad, Instant};
 use crate::system::{scale::Turned, stop};
-use iterate::single::Single;
+use single::Single;
 
 /// A position with a pivot below this value cannot be distinguished from a singular one. \[-\]
 pub(crate) const DOUBTFUL: f64 = RANK;
 
 /// Pivots of the recorded elimination differ from those of a complete one by less than this factor.
 /// Below it the complete elimination decides. \[-\]
-const SIMILAR: f64 = 30.0;
+pub(crate) const SIMILAR: f64 = 30.0;
 
 /// A row that is off by more than this share of its norm has jumped with the last correction,
 /// whatever the stop rule: see

@@ -4,11 +4,11 @@
 //! The step-by-step solver and redundant mechanisms share this loop. Compiled programs make only
 //! whole steps. If a whole step of a program fails, this loop continues.
 
-use super::Outcome;
-use super::options::resolution;
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
+use crate::solve::newton::Outcome;
+use crate::solve::options::resolution;
 
 /// The curve is followed for at least this many of the last, short steps of time, and for this
 /// share of the requested time.
@@ -53,12 +53,12 @@ impl Effort {
     }
 
     /// Adds the steps of one more time.
-    pub(super) fn grant(&mut self) {
+    pub(in crate::solve) fn grant(&mut self) {
         self.left += self.each;
     }
 
     /// Spends steps along a curve.
-    pub(super) fn walk(&mut self, steps: usize) {
+    pub(in crate::solve) fn walk(&mut self, steps: usize) {
         self.left -= ALONG * steps as f64;
     }
 
@@ -71,24 +71,24 @@ impl Effort {
 
 /// The requested step of time.
 #[derive(Clone, Copy)]
-pub(super) struct Asked {
+pub(in crate::solve) struct Asked {
     pub from: f64,
     pub to: f64,
 }
 
 impl Asked {
-    pub(super) fn whole(self) -> f64 {
+    pub(in crate::solve) fn whole(self) -> f64 {
         (self.to - self.from).abs()
     }
 
     /// Returns the shortest step that is tested.
-    pub(super) fn shortest(self) -> f64 {
+    pub(in crate::solve) fn shortest(self) -> f64 {
         (SHORTEST * self.whole()).max(resolution(self.from, self.to))
     }
 }
 
 /// A solver that makes single steps of time.
-pub(super) trait Stepping {
+pub(in crate::solve) trait Stepping {
     /// The reason why a step failed.
     type Trouble;
 
@@ -135,7 +135,7 @@ pub(super) trait Stepping {
 
 /// Moves from one solved time to the next and returns the outcome of the last step of time.
 #[inline(always)]
-pub(super) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outcome> {
+pub(in crate::solve) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> Result<Outcome> {
     let Asked { from, to } = asked;
     let mut t = from;
     let mut h = to - from;

@@ -2,7 +2,7 @@
 
 use crate::program::times::Curve;
 use crate::solve::motion::Motion;
-use crate::solve::newton::predictor::is_same;
+use crate::solve::step::predictor::is_same;
 
 /// The largest number of times through which a curve passes.
 const MOST: usize = 4;

@@ -4,7 +4,7 @@ use super::super::cases::By;
 use super::*;
 use crate::constraint;
 use crate::joints::drivers::drive;
-use crate::solve::newton::run::run_by;
+use crate::solve::whole_run;
 
 fn compiled() -> SolverOptions {
     SolverOptions::new().engine(Engine::Compiled)
@@ -44,7 +44,7 @@ fn a_case_that_differs_in_what_was_folded_is_not_computed_by_the_program_of_othe
         let shared = tape.case(&case).is_some();
         let computing = cases.computing(&case, times.len(), &options).expect("computes");
         let own = Asked { system: &case, times: &times, jerk: false }.plain();
-        let found = run_by(&case, &times, (&options, None), computing).expect("runs");
+        let found = whole_run::run_by(&case, &times, (&options, None), computing).expect("runs");
         assert!(difference(&found, &own) < 1e-9 && found.engine.compiled > 30, "{name}");
         shared
     };

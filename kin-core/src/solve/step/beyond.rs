@@ -1,15 +1,15 @@
 //! Handles times at which smaller steps do not help: follows the curve past a singular position, or
 //! ends the run.
 
-use super::super::advance::{Asked, SHORTEST};
-use super::super::{Failure, Newton, Outcome, Steps, largest};
-use super::{SHORT, Stepper, Trouble};
+use super::advance::{Asked, SHORTEST};
+use super::stepper::{SHORT, Stepper, Trouble};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::solve::follow::{
     self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition,
 };
+use crate::solve::newton::{Failure, Newton, Outcome, Steps, largest};
 
 impl Stepper<'_> {
     /// Follows the curve as far as `goal` if possible, because short steps of time from t to

@@ -1,10 +1,10 @@
 //! Tests steps of redundant mechanisms by prediction, because a rectangular matrix has no
 //! determinant.
 
-use super::super::Follow;
 use super::Position;
 use crate::numbers::padded;
 use crate::solve::follow::{Lever, Objection, Span, misses_too_far, turns_too_far};
+use crate::solve::options::Follow;
 use crate::system::evaluate::Instant;
 
 impl Position<'_> {

@@ -11,7 +11,7 @@ use crate::system::System;
 use crate::system::evaluate::Instant;
 
 /// The largest number of breaks that a run lists; further breaks are omitted.
-pub(crate) const MOST_CROSSED: usize = 100_000;
+const MOST_CROSSED: usize = 100_000;
 
 /// The laws of a system that have breaks, with their last arguments.
 #[derive(Default)]

@@ -1,53 +1,21 @@
-//! Computes a run from its first time to its last time, in one motion or in parts.
+//! Computes one time of a run after the other, with the events in between.
 
-use super::law_breaks::LawBreaks;
-use super::stepper::Stepper;
-use super::{SolverOptions, compiled, redundant};
-use crate::model::error::surface::Surface;
+mod law_breaks;
+pub(crate) mod times;
+
 use crate::model::error::{Error, Result};
 use crate::solve::explain::Explain;
-use crate::solve::first_run;
 use crate::solve::motion::Motion;
+use crate::solve::options::SolverOptions;
+use crate::solve::redundant;
+use crate::solve::step::Stepper;
 use crate::system::System;
 use crate::system::evaluate::Instant;
+use law_breaks::LawBreaks;
 
 /// A function that the run calls before each single step, with the number of finished times. The
 /// run ends if it returns false.
 pub(crate) type Progress<'a> = &'a mut (dyn FnMut(usize) -> bool + 'a);
-
-/// Computes position, velocity and acceleration at each of the times.
-pub(crate) fn run<'a>(
-    system: &'a System,
-    times: &[f64],
-    options: &'a SolverOptions,
-    explain: Option<Explain>,
-    progress: Option<Progress<'a>>,
-) -> Result<Motion> {
-    check(times)?;
-    options.check_memory(1, times.len(), system.n_coordinates())?;
-    let computing = compiled::Computing::new(system, times.len(), options)?;
-    let mut run = Run::new(system, options, explain)?;
-    run.progress = progress.map(|progress| (progress, times.len()));
-    let mut found = run.whole(times, computing);
-    first_run::note_result(system, &mut found, run.first_pivot());
-    found
-}
-
-/// Runs with a given engine, over times that were checked.
-pub(crate) fn run_by<'a>(
-    system: &'a System,
-    times: &[f64],
-    (options, explain): (&'a SolverOptions, Option<Explain>),
-    computing: compiled::Computing,
-) -> Result<Motion> {
-    let mut found = Run::new(system, options, explain)?.whole(times, computing);
-    if let Ok(motion) = &mut found {
-        motion.guess = system.initial().to_vec();
-        // Nobody has looked: an angle far from its guess may have been turned to.
-        motion.turned_before = true;
-    }
-    found
-}
 
 /// A run in progress.
 pub(crate) struct Run<'a> {
@@ -93,17 +61,13 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// The motion at all of these times.
-    fn whole(&mut self, times: &[f64], mut computing: compiled::Computing) -> Result<Motion> {
-        let mut motion = Motion::new(self.system, times.len());
-        match computing.run(self, times, &mut motion) {
-            Ok(()) => Ok(motion),
-            Err(error) => Err(self.failed(error, motion)),
-        }
+    /// Sets the function that the run calls before each single step, with the number of all times.
+    pub(crate) fn watched(self, progress: Option<Progress<'a>>, all: usize) -> Self {
+        Run { progress: progress.map(|progress| (progress, all)), ..self }
     }
 
     /// The smallest pivot of C_q at the first position; `None` before it is found.
-    pub(super) fn first_pivot(&self) -> Option<f64> {
+    pub(in crate::solve) fn first_pivot(&self) -> Option<f64> {
         match &self.stepper {
             AnyStepper::Plain(stepper) => stepper.first_pivot,
             AnyStepper::Redundant(stepper) => stepper.first_pivot,
@@ -111,7 +75,7 @@ impl<'a> Run<'a> {
     }
 
     /// The same at each of the times, one by one.
-    pub(super) fn reach_all(&mut self, times: &[f64], motion: &mut Motion) -> Result<()> {
+    pub(in crate::solve) fn reach_all(&mut self, times: &[f64], motion: &mut Motion) -> Result<()> {
         times.iter().try_for_each(|t| self.reach(*t, motion))
     }
 
@@ -127,7 +91,11 @@ impl<'a> Run<'a> {
         let stepper = match &mut self.stepper {
             AnyStepper::Plain(stepper) => stepper,
             AnyStepper::Redundant(stepper) => {
-                return stepper.reach(t, &mut self.law_breaks, motion);
+                let (position, outcome) = stepper.reach(t)?;
+                self.law_breaks.look(self.system, position.instant(), &mut motion.breaks)?;
+                position.append(outcome, motion);
+                motion.misfit = position.misfit();
+                return Ok(());
             }
         };
         let reached = stepper.reach(t);
@@ -169,13 +137,13 @@ impl<'a> Run<'a> {
     }
 
     /// Returns the system of the run.
-    pub(super) fn system(&self) -> &'a System {
+    pub(in crate::solve) fn system(&self) -> &'a System {
         self.system
     }
 
     /// Returns the step-by-step solver, or `None` for a mechanism with more equations than
     /// coordinates.
-    pub(super) fn stepper(&self) -> Option<&Stepper<'a>> {
+    pub(in crate::solve) fn stepper(&self) -> Option<&Stepper<'a>> {
         match &self.stepper {
             AnyStepper::Plain(stepper) => Some(stepper),
             AnyStepper::Redundant(_) => None,
@@ -183,7 +151,7 @@ impl<'a> Run<'a> {
     }
 
     /// Returns the step-by-step solver, mutable.
-    pub(super) fn stepper_mut(&mut self) -> Option<&mut Stepper<'a>> {
+    pub(in crate::solve) fn stepper_mut(&mut self) -> Option<&mut Stepper<'a>> {
         match &mut self.stepper {
             AnyStepper::Plain(stepper) => Some(stepper),
             AnyStepper::Redundant(_) => None,
@@ -191,7 +159,7 @@ impl<'a> Run<'a> {
     }
 
     /// Returns true if the ends of a step show everything that time does in between.
-    pub(super) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
+    pub(in crate::solve) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         match &mut self.stepper {
             AnyStepper::Plain(stepper) => stepper.ends_suffice(from, to, pivot),
             AnyStepper::Redundant(_) => false,
@@ -200,7 +168,7 @@ impl<'a> Run<'a> {
 
     /// Tests the ends of a step and samples equations without bounds, at the position of the later
     /// time.
-    pub(super) fn samples_suffice(
+    pub(in crate::solve) fn samples_suffice(
         &mut self,
         (from, to, q): (f64, f64, &[f64]),
         pivot: f64,
@@ -213,7 +181,7 @@ impl<'a> Run<'a> {
     }
 
     /// Looks for breaks of laws on the way to a time that the compiled program has solved.
-    pub(super) fn look(&mut self, instant: &Instant, motion: &mut Motion) -> Result<()> {
+    pub(in crate::solve) fn look(&mut self, instant: &Instant, motion: &mut Motion) -> Result<()> {
         self.law_breaks.look(self.system, instant, &mut motion.breaks)
     }
 
@@ -235,64 +203,5 @@ impl<'a> Run<'a> {
             }
             _ => error,
         }
-    }
-}
-
-/// Checks that the times are finite and strictly increasing or strictly decreasing.
-pub(crate) fn check(times: &[f64]) -> Result<()> {
-    let fail = |reason: String| Err(Error::InvalidTimes { reason });
-    if times.is_empty() {
-        return fail(format!(
-            "the list is empty. Give at least one time, or many such as {}",
-            Surface::chosen().many_times()
-        ));
-    }
-    // Usually the times increase; then those between finite ends are finite. All pairs are compared
-    // without an early exit, so that the compiler can vectorise the loop.
-    if times.windows(2).fold(true, |rise, pair| rise & (pair[0] < pair[1]))
-        && (times[times.len() - 1] - times[0]).is_finite()
-    {
-        return Ok(());
-    }
-    if let Some((k, t)) = times.iter().enumerate().find(|(_, t)| !t.is_finite()) {
-        return fail(format!("the time with number {k} is {t}. Give finite times"));
-    }
-    let first = times[0];
-    let last = times[times.len() - 1];
-    if !(last - first).is_finite() {
-        return fail(format!(
-            "the span from {first:e} to {last:e} is above the largest number, {:e}. Give times that are closer together",
-            f64::MAX
-        ));
-    }
-    let backwards = times.len() > 1 && times[1] < times[0];
-    match times.windows(2).position(|pair| pair[0] == pair[1] || (pair[1] < pair[0]) != backwards) {
-        Some(k) => fail(format!(
-            "the time {} is followed by {}. Give times that only increase, or only decrease",
-            times[k],
-            times[k + 1]
-        )),
-        None => Ok(()),
-    }
-}
-
-/// Checks times that come one by one.
-#[derive(Default)]
-pub(crate) struct Order {
-    /// The last two times.
-    last: [Option<f64>; 2],
-}
-
-impl Order {
-    /// Checks one more time.
-    pub(crate) fn check(&mut self, t: f64) -> Result<()> {
-        let all: Vec<f64> = self.last.into_iter().flatten().chain([t]).collect();
-        self.last = [self.last[1], Some(t)];
-        check(&all)
-    }
-
-    /// Returns an error if there was no time.
-    pub(crate) fn some(&self) -> Result<()> {
-        if self.last[1].is_some() { Ok(()) } else { check(&[]) }
     }
 }

@@ -13,20 +13,19 @@ mod judged;
 mod rows;
 mod solver;
 
-use super::advance::{Asked, Effort, Stepping, advance};
-use super::iterate;
-use super::law_breaks::LawBreaks;
-use super::predictor::{Last, Predictor};
-use super::{Outcome, Report, SolverOptions};
 use crate::model::error::{Error, Result};
 use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::{Drive, Objection};
 use crate::solve::motion::Motion;
+use crate::solve::newton::{Outcome, iterate};
+use crate::solve::options::SolverOptions;
+use crate::solve::step::advance::{Asked, Effort, Stepping, advance};
+use crate::solve::step::predictor::{Last, Predictor};
 use crate::system::evaluate::{Instant, finite};
 use crate::system::scaled::{Measures, Model, Point, TOLERANCE};
-use crate::system::{Solution, System};
+use crate::system::{Report, Solution, System};
 use errors::unmet;
 use rows::Rows;
 use solver::Solver;
@@ -57,29 +56,20 @@ impl<'a> Stepper<'a> {
         Stepper { system, options, explain, position: None, first_pivot: None }
     }
 
-    /// Solves at the next time and appends it to the motion.
-    pub(super) fn reach(
-        &mut self,
-        t: f64,
-        law_breaks: &mut LawBreaks,
-        motion: &mut Motion,
-    ) -> Result<()> {
-        let (position, outcome) = match &mut self.position {
-            Some(position) => {
+    /// Solves at the next time.
+    pub(super) fn reach(&mut self, t: f64) -> Result<(&Position<'a>, Outcome)> {
+        match self.position {
+            Some(ref mut position) => {
                 let outcome = position.advance(t)?;
-                (position, outcome)
+                Ok((position, outcome))
             }
             None => {
                 let (position, outcome) =
                     Position::assembled(self.system, self.options, t, self.explain)?;
                 self.first_pivot = Some(position.solver.smallest_pivot());
-                (self.position.insert(position), outcome)
+                Ok((self.position.insert(position), outcome))
             }
-        };
-        law_breaks.look(self.system, &position.instant, &mut motion.breaks)?;
-        motion.append(t, position.rows(), outcome, position.worst);
-        motion.misfit = position.misfit;
-        Ok(())
+        }
     }
 
     /// Begins the next step at this pose, which satisfies the equations at time t.
@@ -102,7 +92,7 @@ impl<'a> Stepper<'a> {
     ) -> Result<()> {
         let position = self.position_at(known.times()[k], known.q(k))?;
         let outcome = position.advance(t)?;
-        motion.append(t, position.rows(), outcome, position.worst);
+        position.append(outcome, motion);
         Ok(())
     }
 }
@@ -137,7 +127,7 @@ pub(crate) fn at(
 }
 
 /// The present point, with workspace buffers.
-struct Position<'a> {
+pub(super) struct Position<'a> {
     system: &'a System,
     model: Model<'a>,
     options: &'a SolverOptions,
@@ -304,14 +294,25 @@ impl Position<'_> {
         }
     }
 
-    /// Returns q, q̇, q̈, and q⃛ or nothing.
-    fn rows(&self) -> [&[f64]; 4] {
-        [&self.q, &self.qd, &self.qdd, &self.qddd]
+    /// Appends the present point to a motion.
+    pub(super) fn append(&self, outcome: Outcome, motion: &mut Motion) {
+        let rows = [&self.q[..], &self.qd, &self.qdd, &self.qddd];
+        motion.append(self.t, rows, outcome, self.worst);
+    }
+
+    /// Returns the instant of the present point.
+    pub(super) fn instant(&self) -> &Instant {
+        &self.instant
+    }
+
+    /// Returns the largest residual of a row as a share of its norm, if the options allow one.
+    pub(super) fn misfit(&self) -> f64 {
+        self.misfit
     }
 }
 
 /// The reason why a step of time failed.
-enum Trouble {
+pub(super) enum Trouble {
     Unsolved,
     /// A constraint is on a wrong branch.
     Wrong(Error),

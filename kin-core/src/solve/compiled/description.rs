@@ -3,8 +3,10 @@
 
 use std::fmt;
 
-use super::newton::{Newton, SolverOptions, compiled, first_position};
+use super::{can_be, programs, refused};
 use crate::model::error::Result;
+use crate::solve::newton::{Newton, first_position};
+use crate::solve::options::SolverOptions;
 use crate::system::System;
 
 /// The compiled program of a mechanism, which [`crate::Engine::Compiled`] runs.
@@ -44,11 +46,11 @@ impl System {
     /// mechanism has no position at t = 0.
     pub fn compile(&self) -> Result<Compiled> {
         let options = SolverOptions::default();
-        compiled::can_be(self).map_err(|refusal| compiled::refused(&refusal))?;
+        can_be(self).map_err(|refusal| refused(&refusal))?;
         let mut newton = Newton::new(self, &options);
         first_position::assemble(&mut newton, 0.0)?;
-        let asked = compiled::programs::ask(&newton, 0.0);
-        let tape = asked.map_err(|refusal| compiled::refused(&refusal))?;
+        let asked = programs::ask(&newton, 0.0);
+        let tape = asked.map_err(|refusal| refused(&refusal))?;
         let names = self.coordinate_names();
         let is_torn = |column: &usize| tape.torn().contains(column);
         let named = |wanted: bool| {

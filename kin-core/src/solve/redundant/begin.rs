@@ -1,16 +1,17 @@
 //! Finds the first position of a mechanism with more equations than coordinates.
 
-use super::super::Follow;
-use super::super::advance::Effort;
+use super::Position;
 use super::errors::unmet;
 use super::solver::{Solver, scales};
-use super::{Outcome, Position, SolverOptions};
 use crate::model::error::Result;
 use crate::numbers::padded::Padded;
 use crate::solve::assembly::search::{self, Found};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::Drive;
-use crate::solve::newton::predictor::Predictor;
+use crate::solve::newton::Outcome;
+use crate::solve::options::{Follow, SolverOptions};
+use crate::solve::step::advance::Effort;
+use crate::solve::step::predictor::Predictor;
 use crate::system::System;
 use crate::system::scaled::{Measures, Point};
 

@@ -10,15 +10,14 @@
 mod block;
 mod cases;
 mod curve;
+pub(crate) mod description;
 mod holds;
 mod position;
-pub(crate) mod programs;
+mod programs;
 
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use super::run::Run;
-use super::{Engine, SolverOptions, Stop};
 use crate::model::error::surface::Surface;
 use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
@@ -26,6 +25,8 @@ use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::program::{Case, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::first_run;
 use crate::solve::motion::Motion;
+use crate::solve::options::{Engine, SolverOptions, Stop};
+use crate::solve::run::Run;
 use crate::system::System;
 use block::Block;
 pub(crate) use cases::{Cases, Varied};

@@ -2,7 +2,7 @@
 //! present parameters.
 
 use crate::solve::motion::Motion;
-use crate::solve::newton::run::Run;
+use crate::solve::run::Run;
 use crate::system::evaluate::{Equations, Instant};
 
 /// The permitted sum of a row, as a share of the sum of the magnitudes of its terms. \[-\]

@@ -1,49 +1,47 @@
 //! Implements the step-by-step solver: Newton's method from a prediction, and a test that the step
 //! stays on its branch.
 
-mod beyond;
-mod resumed;
-
 use super::advance::{Asked, Effort, Stepping, advance};
 use super::predictor::{Last, Predictor};
-use super::{Failure, Follow, Newton, Outcome, SolverOptions, Steps, first_position, largest};
 use crate::model::error::Result;
 use crate::model::units::Units;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::follow::{Check, Objection, SingularPosition};
+use crate::solve::newton::{Failure, Newton, Outcome, Steps, first_position, largest};
+use crate::solve::options::{Follow, SolverOptions};
 use crate::system::System;
 
 /// If a step in which nothing moves by more than this fails its test, it leads past a singular
 /// position. \[-\]
-const SHORT: f64 = 0.05;
+pub(super) const SHORT: f64 = 0.05;
 
 /// The same limit for a step of this share of the requested step, in which hardly anything moves.
 /// \[-\]
 const AT_REST: f64 = 1.0 / 64.0;
 
 /// The last solved time and its point, with workspace buffers to continue.
-pub(super) struct Stepper<'a> {
+pub(in crate::solve) struct Stepper<'a> {
     pub newton: Newton<'a>,
     /// The last time with a solution and its position, to which a failure returns.
-    last: Option<f64>,
-    q: Padded,
+    pub(super) last: Option<f64>,
+    pub(super) q: Padded,
     /// The position of the last failure.
-    failed: Padded,
-    predictor: Predictor,
+    pub(super) failed: Padded,
+    pub(super) predictor: Predictor,
     /// The smallest pivot of C_q at the first time.   \[-\]
     pub first_pivot: Option<f64>,
     /// True if all present numbers are still those of the last solution.
-    untouched: bool,
+    pub(super) untouched: bool,
     /// The test of each step; `None` if the options disable it.
-    check: Option<Check>,
+    pub(super) check: Option<Check>,
     /// The singular positions since the last time, and the number of earlier bifurcations.
     pub passed: Vec<SingularPosition>,
-    bifurcations: usize,
-    effort: Effort,
+    pub(super) bifurcations: usize,
+    pub(super) effort: Effort,
 }
 
 /// The reason why a step of time failed.
-pub(in crate::solve::newton) enum Trouble {
+pub(in crate::solve) enum Trouble {
     Failed(Failure),
     Objected(Objection),
 }
@@ -103,7 +101,7 @@ impl<'a> Stepper<'a> {
     /// Returns how far anything moves in a step h from the last solution to `target`: by its
     /// velocities, and by drivers, which may have been at rest.
     #[cold]
-    fn moved(&mut self, h: f64, target: f64) -> f64 {
+    pub(super) fn moved(&mut self, h: f64, target: f64) -> f64 {
         let newton = &mut self.newton;
         let rates = newton.qd.iter().zip(&newton.qdd).zip(newton.shares());
         let by_rates = largest(
