@@ -8,16 +8,16 @@
 //! constraint acts. A hand-written law is an `impl` of [`LawFunction`].
 
 #[doc(inline)]
+pub use crate::coordinates::Target;
+#[doc(inline)]
+pub use crate::law::LawFunction;
+#[doc(inline)]
 pub use crate::model::constraint::{
     Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Route,
     RouteReason, Routed, Written,
 };
 #[doc(inline)]
-pub use crate::model::coordinates::Target;
-#[doc(inline)]
 pub use crate::model::dual_route::by_dual;
-#[doc(inline)]
-pub use crate::model::law::LawFunction;
 #[doc(inline)]
 pub use crate::model::terms::{Moving, Terms, dual_terms, jerk_rhs, measure, terms};
 #[doc(inline)]
@@ -37,7 +37,9 @@ pub mod blame {
 /// constraints store.
 pub mod coordinates {
     #[doc(inline)]
-    pub use crate::model::coordinates::*;
+    pub use crate::coordinates::*;
+    #[doc(inline)]
+    pub use crate::dimensions::IntoAxis;
 }
 
 /// Evaluates the equation of a constraint with dual numbers: the dual route.

@@ -13,16 +13,21 @@ extern crate self as kin;
 // Items that are hidden here are listed in `extend`: ordinary programs do not call them.
 
 mod ask;
+#[doc(hidden)]
+pub mod coordinates;
 pub mod data;
 pub mod design;
+mod dimensions;
 #[doc(hidden)]
 pub mod emitted;
 pub mod extend;
 pub mod forces;
 pub mod joints;
+pub mod law;
 mod linear;
 mod model;
 mod numbers;
+mod outcome;
 mod program;
 mod solve;
 mod system;
@@ -30,7 +35,7 @@ mod system;
 mod testing;
 
 #[doc(hidden)]
-pub use model::{blame, constraint, coordinates, dual_route, state, terms};
+pub use model::{blame, constraint, dual_route, state, terms};
 #[doc(hidden)]
 pub use numbers::real;
 
@@ -45,7 +50,6 @@ pub use dimension::Dimension;
 pub use error::{Error, Result};
 pub use kin_macros::{constraint, force, helper, law, potential};
 pub use law::Law;
-pub use model::law;
 pub use model::loads::Load;
 pub use model::mechanism::{Mechanism, Pose, SpatialPose, deg, linspace, pose};
 pub use nalgebra;
@@ -56,29 +60,26 @@ pub use system::System;
 
 /// Errors, and the data that they carry.
 pub mod error {
-    pub use crate::model::dimension::DimensionError;
-    pub use crate::model::error::surface::Surface;
-    pub use crate::model::error::{CannotReach, Error, OtherMotion, Result};
-    pub use crate::model::growth::Unbounded;
-    pub use crate::model::jammed::Jammed;
-    pub use crate::model::no_derivative::NoDerivative;
-    pub use crate::model::not_unique::NotUnique;
+    pub use crate::outcome::DimensionError;
+    pub use crate::outcome::error::surface::Surface;
+    pub use crate::outcome::error::{CannotReach, Error, OtherMotion, Result};
+    pub use crate::outcome::growth::Unbounded;
+    pub use crate::outcome::jammed::Jammed;
+    pub use crate::outcome::no_derivative::NoDerivative;
+    pub use crate::outcome::not_unique::NotUnique;
 }
 
 /// Numbers with a name, a unit, a range and a tolerance, and the traits of arguments that accept
 /// them.
 pub mod dimension {
-    pub use crate::model::dimension::{
-        Dimension, IntoGravity, IntoNumber, IntoParameter, IntoVector,
-    };
+    pub use crate::dimensions::{Dimension, IntoGravity, IntoNumber, IntoParameter, IntoVector};
 }
 
 /// Handles of a [`crate::Mechanism`], and the traits of its arguments.
 pub mod mechanism {
+    pub use crate::coordinates::{IntoCoordinate, IntoPlanarBody, IntoSpatialBody};
+    pub use crate::dimensions::IntoAxis;
     pub use crate::model::body::Body;
-    pub use crate::model::coordinates::{
-        IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody,
-    };
     pub use crate::model::mechanism::{
         ConstraintId, Direction, Facing, IntoConstraint, IntoSpatialPose, Marker, Preferred,
         UnitWords,
@@ -90,7 +91,7 @@ pub mod solver {
     pub use crate::ask::circuit::{Circuit, CircuitPoint};
     pub use crate::ask::follower::{Configuration, Follower};
     pub use crate::ask::solver::At;
-    pub use crate::model::named_value::NamedValue;
+    pub use crate::outcome::named_value::NamedValue;
     pub use crate::solve::assembly::{
         Assemblies, Assembly, AssemblyOptions, Complete, Label, SearchOptions,
     };
@@ -106,8 +107,8 @@ pub mod results {
     pub use crate::ask::measure::{Crossing, Extreme, Extremes, Measure};
     pub use crate::ask::proof;
     pub use crate::ask::proof::{Proof, StepProof, Tube, Unproved, UnprovedReason};
-    pub use crate::model::motion::CrossedBreak;
-    pub use crate::model::units::Units;
+    pub use crate::coordinates::units::Units;
+    pub use crate::outcome::motion::CrossedBreak;
     pub use crate::solve::follow::{Branch, SingularKind, SingularPosition};
     pub use crate::solve::motion::{
         Displacement, EngineCounts, Event, EventKind, Line, PointMotion, Quantity, QuantityValues,

@@ -18,14 +18,14 @@ mod terms;
 
 use std::sync::Arc;
 
+use crate::coordinates::Target;
+use crate::coordinates::layout::{Layout, Place};
+use crate::coordinates::units::Units;
 use crate::linear::Linear;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
-use crate::model::error::{Error, Result};
-use crate::model::layout::{Layout, Place};
 use crate::model::loads::Loads;
 use crate::model::mechanism::Limit;
-use crate::model::units::Units;
+use crate::outcome::error::{Error, Result};
 use crate::system::scaled::Model;
 use cache::Cache;
 use dimensions::Dimensions;
@@ -316,7 +316,7 @@ impl System {
             return Err(Error::WrongLength { what: what.to_string(), expected, found });
         }
         match q.iter().position(|x| !x.is_finite()) {
-            Some(k) => Err(self.layout.not_finite(k, q[k])),
+            Some(k) => Err(Error::initial_not_finite(&self.layout, k, q[k])),
             None => Ok(()),
         }
     }

@@ -7,10 +7,10 @@ mod models;
 mod refused;
 mod whole;
 
+use crate::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
+use crate::law::Law;
 use crate::model::blame::{Asked, Blame, Input, Part};
 use crate::model::constraint::{Constraint, Entry, Facts, Parameters, Parts, Written};
-use crate::model::coordinates::{Argument, Coordinate, PlanarBody, Target, Trig};
-use crate::model::law::Law;
 use crate::model::mechanism::Pose;
 use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec2;

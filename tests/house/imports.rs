@@ -10,9 +10,23 @@ use crate::reading::{File, Module, Reader, module};
 use crate::{ROOT, rust_files, sources};
 
 /// The rooms, each a folder that may import from those before it and from its own.
-const ROOMS: [&str; 12] = [
-    "numbers", "model", "emitted", "joints", "linear", "system", "program", "solve", "ask",
-    "design", "forces", "data",
+const ROOMS: [&str; 16] = [
+    "numbers",
+    "coordinates",
+    "outcome",
+    "dimensions",
+    "law",
+    "model",
+    "emitted",
+    "joints",
+    "linear",
+    "system",
+    "program",
+    "solve",
+    "ask",
+    "design",
+    "forces",
+    "data",
 ];
 
 /// The rooms of `solve/`, folders and files, each of which may import from those before it and from
@@ -301,7 +315,7 @@ fn paths_are_followed_to_their_files() {
     };
     assert_eq!(end("linear::Echelon").as_deref(), Some("linear/echelon"));
     assert_eq!(end("Mechanism").as_deref(), Some("model/mechanism"));
-    assert_eq!(end("solve::motion::Series").as_deref(), Some("model/motion/series"));
+    assert_eq!(end("solve::motion::Series").as_deref(), Some("outcome/motion/series"));
     assert!(house.files.keys().all(|module| module.first().is_none_or(|first| first != "testing")));
 }
 

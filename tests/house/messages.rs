@@ -161,7 +161,7 @@ fn messages_use_no_retired_words() {
 #[test]
 fn messages_have_no_chains_of_rust() {
     let is_core = |one: &Message| {
-        one.place.starts_with("kin-core/") && !one.place.contains("model/error/surface.rs")
+        one.place.starts_with("kin-core/") && !one.place.contains("outcome/error/surface.rs")
     };
     let mut wrong = Vec::new();
     for Message { place, text } in messages().into_iter().filter(is_core) {

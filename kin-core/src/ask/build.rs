@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use crate::ask::solver::At;
+use crate::coordinates::SpatialBody;
+use crate::coordinates::layout::Kind;
 use crate::joints::spatial;
-use crate::model::coordinates::SpatialBody;
-use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
 use crate::model::loads::{Acting, Along, Line};
 use crate::model::mechanism::Mechanism;
-use crate::model::verdict::Diagnosis;
 use crate::numbers::algebra::EulerParameters;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::verdict::Diagnosis;
 use crate::system::System;
 use crate::system::evaluate::Equations;
 

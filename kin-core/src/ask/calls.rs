@@ -2,7 +2,7 @@
 
 use crate::ask::diagnosis::Diagnosis;
 use crate::ask::solver::At;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::assembly::{Assemblies, Assembly, Label};
 use crate::solve::motion::{EventKind, Motion};
 use crate::solve::sweep::Sweep;

@@ -23,8 +23,8 @@ mod entries;
 mod law;
 mod promises;
 
-pub use crate::model::coordinates::{any_coord, any_planar, any_spatial};
-pub use crate::model::mismatch::{Disagreement, Mismatch};
+pub use crate::coordinates::{any_coord, any_planar, any_spatial};
+pub use crate::outcome::mismatch::{Disagreement, Mismatch};
 pub use law::{LawMismatch, compare_law, law};
 
 use nalgebra::{DMatrix, DVector};

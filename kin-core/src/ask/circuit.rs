@@ -2,9 +2,9 @@
 //! centres.
 
 use crate::ask::follower::Follower;
-use crate::model::error::{Error, Result};
-use crate::model::motion::Motion;
-use crate::model::named_value::NamedValue;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Motion;
+use crate::outcome::named_value::NamedValue;
 use crate::solve::circuit::{CircuitEnd, Traced, trace};
 use crate::solve::follow::CurvePoint;
 use crate::solve::newton::Outcome;

@@ -78,10 +78,10 @@ use std::fmt;
 
 use rayon::prelude::*;
 
+use crate::coordinates::units::Unit;
+use crate::coordinates::units::Units;
 use crate::model::blame::Source;
-use crate::model::error::{Error, Result};
-use crate::model::units::Unit;
-use crate::model::units::Units;
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::{System, scale};
 pub(crate) use bounds::{Bounds, Column, Entry, Part, Unknown};
@@ -316,7 +316,7 @@ impl Proof {
     }
 
     /// Returns the names of the user-defined laws whose stated bounds
-    /// ([`crate::model::law::LawFunction::over`]) the proof relies on.
+    /// ([`crate::law::LawFunction::over`]) the proof relies on.
     ///
     /// Each name contains the constraint of the law.
     pub fn trusted(&self) -> &[String] {

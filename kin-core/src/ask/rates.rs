@@ -1,7 +1,7 @@
 //! The derivatives q̇, q̈ and q⃛ that the equations determine at one pose.
 
 use crate::ask::diagnosis::explain::EXPLAIN;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::redundant;
 use crate::system::System;
 

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::ask::diagnosis::explain::{EXPLAIN, explained};
 use crate::ask::diagnosis::{self, Diagnosis};
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::assembly::{Assemblies, Assembly, Label, modes};
 use crate::solve::explain::Start;
 use crate::solve::motion::Motion;

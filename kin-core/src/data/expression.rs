@@ -2,8 +2,8 @@
 
 use kin_graph::{Function, Function2};
 
-use crate::model::dimension::Dimension;
-use crate::model::similar;
+use crate::dimensions::Dimension;
+use crate::outcome::similar;
 
 /// The largest depth of nested expressions. It keeps the recursive reader within the stack.
 const DEEPEST: usize = 200;

@@ -3,12 +3,12 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use super::dimensions::{DimensionData, NumberData};
+use super::dimension::{DimensionData, NumberData};
 use super::dynamics::{FrictionData, LoadData, MassData, PointMassData};
 use super::{is_first, once};
+use crate::coordinates::layout::Kind;
+use crate::coordinates::units::Units;
 use crate::model::dual_route::ArgumentKind;
-use crate::model::layout::Kind;
-use crate::model::units::Units;
 
 /// A mechanism as data: bodies, constraints with their parameters, laws.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

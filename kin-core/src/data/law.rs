@@ -6,9 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use serde::{Deserialize, Serialize};
 
 use super::{Registry, once};
-use crate::model::law::{Ends, Law};
-use crate::model::similar;
-use crate::model::words::list;
+use crate::law::{Ends, Law};
+use crate::outcome::similar;
+use crate::outcome::words::list;
 
 /// A law as data.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

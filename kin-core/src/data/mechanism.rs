@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::dimensions::{NumberData, Texts, law_without_expressions};
+use super::dimension::{NumberData, Texts, law_without_expressions};
 use super::dynamics::{Carried, carry};
 use super::format::{
     ArgumentData, BodyData, ConstraintData, LimitData, MechanismData, PreferredData,
@@ -10,16 +10,16 @@ use super::format::{
 use super::law::LawData;
 use super::names::plain;
 use super::{FORMAT, Registry, read, understood};
+use crate::coordinates::layout::{Kind, Place};
+use crate::coordinates::units::Units;
+use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
+use crate::dimensions::{Bound, Dimension, Holder};
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
 use crate::model::describer::Describer;
-use crate::model::dimension::{Bound, Dimension, Holder};
-use crate::model::error::{Error, Result};
-use crate::model::law::Law;
-use crate::model::layout::{Kind, Place};
 use crate::model::mechanism::place::{self, between};
 use crate::model::mechanism::{ConstraintId, Limit, Mechanism, SpatialPose};
-use crate::model::units::Units;
+use crate::outcome::error::{Error, Result};
 
 impl Mechanism {
     /// Writes the mechanism as a self-contained JSON file and creates missing folders.

@@ -4,7 +4,7 @@
 //! a [`Registry`] of constructors. Add user-defined constraints to the registry:
 //! `Registry::new().with::<parabolic_slot>()`.
 
-mod dimensions;
+mod dimension;
 mod dynamics;
 mod expression;
 mod format;
@@ -25,7 +25,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 pub use crate::model::describer::Describer;
-pub use dimensions::{DimensionData, NumberData};
+pub use dimension::{DimensionData, NumberData};
 pub use dynamics::{
     ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MassData,
     MeasureData, PointMassData, ScalarData,
@@ -45,9 +45,9 @@ pub use value::{
 
 use crate::ask::diagnosis::Diagnosis;
 use crate::forces::Forces;
-use crate::model::error::{Error, Result};
 use crate::model::mechanism::Mechanism;
-use crate::model::motion::Series;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Series;
 use crate::solve::motion::Motion;
 
 /// The newest version of the formats. Kin writes this version and reads all versions from the first

@@ -8,12 +8,12 @@ use super::format::BodyKind;
 use super::mechanism::read_units;
 use super::names::plain;
 use super::{FORMAT, is_first, understood};
-use crate::model::coordinates::MechanismId;
-use crate::model::error::{Error, Result};
-use crate::model::law::Break;
-use crate::model::layout::Layout;
-use crate::model::motion::CrossedBreak;
-use crate::model::units::Units;
+use crate::coordinates::MechanismId;
+use crate::coordinates::layout::Layout;
+use crate::coordinates::units::Units;
+use crate::law::Break;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::CrossedBreak;
 use crate::solve::follow::SingularPosition;
 use crate::solve::motion::{EngineCounts, Event, Motion, Series, Warning};
 

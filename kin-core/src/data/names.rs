@@ -1,7 +1,7 @@
 //! Checks the names in files, because programs write these names to terminals, tables, pictures and
 //! pages.
 
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 
 /// Returns the name, unless it contains a character that moves a terminal's cursor, breaks a line
 /// or changes the direction of the surrounding text.

@@ -5,18 +5,18 @@ use std::sync::Arc;
 
 use serde_json::{Map, Value};
 
-use super::dimensions::{self, Found};
+use super::dimension::{self, Found};
 use super::format::ArgumentData;
 use super::law::{LawData, LawReader, shipped};
 use super::value::Datum;
+use crate::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody, Target};
+use crate::dimensions::Dimension;
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Coordinate, Ground, PlanarBody, SpatialBody, Target};
-use crate::model::dimension::Dimension;
 use crate::model::dual_route::ArgumentKind;
-use crate::model::law::Law;
 use crate::model::mechanism::Mechanism;
-use crate::model::similar;
-use crate::model::words::list;
+use crate::outcome::similar;
+use crate::outcome::words::list;
 
 /// A constraint that can be created from data.
 ///
@@ -261,7 +261,7 @@ impl Registry {
             }
             (made, None, None) => {
                 let made = made.ok_or_else(|| format!("`{kind}` cannot be made"))?;
-                let bound = dimensions::bound(made.as_ref(), reader.expressions)?;
+                let bound = dimension::bound(made.as_ref(), reader.expressions)?;
                 Ok((made, bound))
             }
         }
@@ -452,7 +452,7 @@ impl<'a> Reader<'a> {
         let mut found = Vec::new();
         let value = self.value(name, &mut |value| {
             found.clear();
-            read(&dimensions::without_expressions(mechanism, name, value, &mut found)?)
+            read(&dimension::without_expressions(mechanism, name, value, &mut found)?)
         });
         self.expressions.append(&mut found);
         value

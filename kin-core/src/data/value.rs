@@ -8,8 +8,8 @@ use serde_json::Value;
 
 use super::law::LawData;
 use super::{Registry, read};
+use crate::law::Law;
 use crate::model::describer::Describer;
-use crate::model::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
 /// A parameter that consists of numbers, or a law.

@@ -8,8 +8,7 @@ use super::partials::partials;
 use super::solver::SlopeSolver;
 use super::{smooth, variation};
 use crate::ask::measure::Measure;
-use crate::model::error::Result;
-use crate::model::no_derivative::NoDerivative;
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
@@ -49,7 +48,7 @@ impl System {
         let gradient = terms(&mut prepared, motion, &names, &weights)?;
         match gradient.iter().zip(&names).find(|(sum, _)| !sum.is_finite()) {
             Some((_, name)) => {
-                Err(NoDerivative::error(name, "a term of the equations has no finite derivative"))
+                Err(Error::no_derivative(name, "a term of the equations has no finite derivative"))
             }
             None => Ok(gradient),
         }

@@ -10,8 +10,8 @@
 use super::adjoint::adjoint;
 use super::along::{Along, Prepared};
 use super::solver::{CONSISTENT, ROUNDED, SlopeSolver};
-use crate::model::error::Result;
 use crate::numbers::random::Random;
+use crate::outcome::error::Result;
 use crate::solve::motion::Motion;
 
 /// The data with which a tape checks whether redundant equations agree.

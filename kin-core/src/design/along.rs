@@ -7,12 +7,11 @@ use kin_graph::{Input, LeafUse, Results, Source, evaluate_all};
 
 use super::asked::{Asked, Hangs};
 use super::equation::Equation;
-use crate::model::error::Result;
 use crate::model::formula::{Given, Outside};
-use crate::model::no_derivative::NoDerivative;
 use crate::numbers::real::{Dual2_64, Dual3_64, Real};
 use crate::numbers::rounded::Rounded;
 use crate::numbers::with_rate::WithRate;
+use crate::outcome::error::{Error, Result};
 use crate::system::System;
 
 type Number = Real<Dual2_64>;
@@ -65,7 +64,7 @@ impl<'a> Prepared<'a> {
             );
             let equation = equation.unwrap_or(unknown).map_err(|reason| {
                 let by = names.first().map_or("", String::as_str);
-                NoDerivative::error(
+                Error::no_derivative(
                     by,
                     format!(
                         "Kin does not know the derivative of `{}` by this parameter: {reason}",
@@ -263,7 +262,7 @@ impl<N: InTime> Walk<'_, N> {
 }
 
 /// Returns derivative `order` of a law at x and the two derivatives that follow.
-fn derivatives(law: &crate::model::law::Law, x: f64, order: u8) -> [f64; 4] {
+fn derivatives(law: &crate::law::Law, x: f64, order: u8) -> [f64; 4] {
     let [f, f1, f2, f3] = law.jet(x);
     match order {
         0 => [f, f1, f2, f3],

@@ -3,11 +3,10 @@
 use std::rc::Rc;
 
 use super::equation::Equation;
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::error::Result;
 use crate::model::formula::Given;
-use crate::model::law::Law;
-use crate::model::no_derivative::NoDerivative;
+use crate::outcome::error::{Error, Result};
 use crate::system::System;
 use crate::system::dimensions::Moved;
 use crate::system::evaluate::Block;
@@ -50,13 +49,13 @@ impl Asked {
             if !slope.is_finite() {
                 let reason =
                     format!("`{parameter}` has no finite derivative by `{name}` at these values");
-                return Err(NoDerivative::error(name, reason));
+                return Err(Error::no_derivative(name, reason));
             }
             if let Some(hangs) = Hangs::on(of, &equations[block], (&own, &parameter))? {
                 all.push(Asked { name: number, slope, block, hangs });
             }
         }
-        if all.is_empty() { Err(NoDerivative::error(name, NOTHING)) } else { Ok(all) }
+        if all.is_empty() { Err(Error::no_derivative(name, NOTHING)) } else { Ok(all) }
     }
 }
 
@@ -64,7 +63,7 @@ impl Hangs {
     /// Returns the part of a constraint's equation that depends on a number, given by its name in
     /// the constraint and in the system. Returns `None` if there is none.
     fn on(block: &Block, equation: &Equation, (name, full): (&str, &str)) -> Result<Option<Hangs>> {
-        let no = |reason: &str| NoDerivative::error(full, reason);
+        let no = |reason: &str| Error::no_derivative(full, reason);
         // Formulas name the numbers of an axis along it without the `h`.
         let known = name.replacen(".h.", ".", 1);
         let number = block

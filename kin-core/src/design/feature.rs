@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use super::measured;
 use crate::ask::measure::{Extreme, Extremes, Measure};
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::motion::Motion;
 use crate::solve::options::SolverOptions;
 use crate::system::System;

@@ -4,8 +4,7 @@ use super::partials::{Partial, partials};
 use super::sensitivities::{Sensitivities, Sensitivity};
 use super::smooth;
 use crate::ask::measure::{Extreme, Measure};
-use crate::model::error::Result;
-use crate::model::no_derivative::NoDerivative;
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 
@@ -89,7 +88,7 @@ impl Sensitivities<'_> {
                 return Ok(ExtremeSensitivity { name: by.name, t, value });
             }
             let reason = "the acceleration is also zero at the extreme, so the time of the extreme has no derivative";
-            Err(NoDerivative::error(&by.name, reason))
+            Err(Error::no_derivative(&by.name, reason))
         };
         there.each(what)?.into_iter().map(found).collect()
     }
@@ -157,7 +156,7 @@ pub(super) fn refuse_own(system: &System, what: &dyn Measure, by: &str) -> Resul
     let Some(place) = what.name().and_then(|name| system.place_of(name)) else { return Ok(()) };
     if system.moving_with(by)?.iter().any(|moved| moved.block == place.block) {
         let reason = "the measure belongs to the joint with this parameter and may depend on the parameter directly. Use a coordinate or a point instead";
-        return Err(NoDerivative::error(by, reason));
+        return Err(Error::no_derivative(by, reason));
     }
     Ok(())
 }

@@ -35,7 +35,7 @@ mod toggle;
 mod tolerance;
 mod variation;
 
-pub use crate::model::dimension::Distribution;
+pub use crate::dimensions::Distribution;
 /// The crate of optimisers, in the version whose traits objectives implement.
 #[cfg(feature = "argmin")]
 pub use argmin;

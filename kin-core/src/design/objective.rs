@@ -1,7 +1,7 @@
 //! Computes a number of a motion as a function of dimensions, with its gradient, for optimisers.
 
 use crate::ask::measure::Measure;
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Quantity;
 use crate::solve::run::times;
 use crate::system::System;

@@ -7,8 +7,8 @@
 //! numbers a determine this coefficient exactly.
 
 use crate::ask::measure::Measure;
-use crate::model::error::Result;
 use crate::numbers::random::Random;
+use crate::outcome::error::Result;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 

@@ -4,7 +4,7 @@
 use super::along::Prepared;
 use super::solver::SlopeSolver;
 use super::{smooth, variation};
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 

@@ -3,9 +3,8 @@
 
 use kin_graph::Op;
 
-use crate::model::error::Result;
-use crate::model::no_derivative::NoDerivative;
 use crate::numbers::random::Random;
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::{EventKind, Motion};
 use crate::solve::newton::Outcome;
 use crate::system::System;
@@ -27,7 +26,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
     let s = motion.unit_words().time();
     if let Some(found) = motion.singular_positions().first() {
         let t = found.t;
-        return Err(NoDerivative::error(
+        return Err(Error::no_derivative(
             by,
             format!(
                 "the motion passes a singular position at t = {t} {s}, beyond which another value may take another branch. Use a motion that ends before this position"
@@ -71,7 +70,7 @@ pub(super) fn check(system: &System, motion: &Motion, by: &str) -> Result<()> {
         }
         if let Some(law) = broken {
             let reason = format!("at t = {t} {s} the law {law} has a break. Choose other times");
-            return Err(NoDerivative::error(by, reason));
+            return Err(Error::no_derivative(by, reason));
         }
     }
     Ok(())
@@ -103,7 +102,7 @@ fn kink_within(motion: &Motion, (t, step): (f64, f64), by: &str) -> Result<()> {
     let near = SAME * step.max(t.abs());
     let mut kinks = motion.events().iter().filter(|event| event.kind == EventKind::Kink);
     let Some(kink) = kinks.find(|kink| (kink.t - t).abs() <= near) else { return Ok(()) };
-    Err(NoDerivative::error(
+    Err(Error::no_derivative(
         by,
         format!("at t = {t} {s} there is {}. Choose other times", kink.text),
     ))
@@ -175,7 +174,7 @@ impl<'a> Beside<'a> {
                 let s = motion.unit_words().time();
                 let row = system.equations().equation(row);
                 let reason = format!("at t = {t} {s} `{row}` jumps. Choose other times");
-                return Err(NoDerivative::error(by, reason));
+                return Err(Error::no_derivative(by, reason));
             }
         }
         Ok(())

@@ -5,9 +5,8 @@ use std::cell::OnceCell;
 use super::along::{Along, Prepared};
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::linear::{Independent, Linear};
-use crate::model::error::Result;
-use crate::model::no_derivative::NoDerivative;
 use crate::numbers::rounded::Rounded;
+use crate::outcome::error::{Error, Result};
 use crate::solve::explain::Start;
 use crate::solve::options::SolverOptions;
 use crate::system::System;
@@ -126,7 +125,7 @@ impl<'a> SlopeSolver<'a> {
                 let s = self.system.unit_words().time();
                 let reason =
                     format!("at t = {t} {s} a term of the equations has no finite derivative");
-                return Err(NoDerivative::error(name, reason));
+                return Err(Error::no_derivative(name, reason));
             }
             self.agree(prepared, along, &rhs, (&found, order), (number, name))?;
         }
@@ -181,7 +180,7 @@ impl<'a> SlopeSolver<'a> {
         let reason = format!(
             "the redundant mechanism closes at this value only: with another value `{equation}` contradicts the other equations. Change this dimension together with the dimensions that must match it"
         );
-        Err(NoDerivative::error(name, reason))
+        Err(Error::no_derivative(name, reason))
     }
 }
 

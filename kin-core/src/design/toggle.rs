@@ -4,9 +4,8 @@ use nalgebra::DMatrix;
 
 use super::along::Prepared;
 use super::smooth;
-use crate::model::error::Result;
-use crate::model::motion::{SingularKind, SingularPosition};
-use crate::model::no_derivative::NoDerivative;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::{SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;
 use crate::system::System;
@@ -73,7 +72,7 @@ impl System {
         let q = &toggle.q[..];
         let s = self.unit_words().time();
         self.check(q, "position")?;
-        let refused = |reason: String| Err(NoDerivative::error(by, reason));
+        let refused = |reason: String| Err(Error::no_derivative(by, reason));
         if toggle.kind != SingularKind::TurningPoint {
             return refused(format!(
                 "the position at t = {t} {s} is a change point, whose branches cross at these values only. Request the time of a toggle instead"
@@ -110,7 +109,7 @@ impl System {
         let of = |(by_p, name): (&Vec<(usize, [f64; 3])>, &String)| {
             let found = -by_p.iter().map(|(row, jet)| lambda[*row] * jet[0]).sum::<f64>() / pushes;
             let reason = "a term of the equations has no finite derivative";
-            if found.is_finite() { Ok(found) } else { Err(NoDerivative::error(name, reason)) }
+            if found.is_finite() { Ok(found) } else { Err(Error::no_derivative(name, reason)) }
         };
         along.by_p.iter().zip(&names).map(of).collect()
     }

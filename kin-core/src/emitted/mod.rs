@@ -17,18 +17,18 @@ pub use crate::data::{
     Described, Describer, Incoming, IncomingBySerde, IncomingRefused, Outgoing, OutgoingBySerde,
     OutgoingConstant, OutgoingRefused, Reader, RefusedConstant,
 };
-use crate::model::dimension::{self, Name};
+use crate::dimensions::{self, Name};
 
+pub use crate::coordinates::{
+    Argument, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Target, Trig,
+};
+pub use crate::dimensions::{Bindings, IntoAxis, IntoNumber, IntoParameter};
+pub use crate::law::LawFunction;
 pub use crate::model::blame::{Asked, Blame, Source};
 pub use crate::model::constraint::{
     Attached, Attachment, Dependence, Entry, Facts, Measured, Parameters, Parts, Written,
 };
-pub use crate::model::coordinates::{
-    Argument, IntoAxis, IntoCoordinate, IntoPlanarBody, IntoSpatialBody, Target, Trig,
-};
-pub use crate::model::dimension::{Bindings, IntoNumber, IntoParameter};
 pub use crate::model::dual_route::{ArgumentKind, Equation};
-pub use crate::model::law::LawFunction;
 pub use crate::model::state::{At, Offsets, PlanarState, Rates, SpatialState};
 pub use crate::numbers::algebra::{Axis, Components, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 pub use crate::numbers::real::{Dual, Dual2_64, Dual3_64, Dual64, Real};
@@ -73,7 +73,7 @@ pub fn vector<V: From<[f64; N]>, const N: usize>(
     name: &str,
     bindings: &mut Bindings,
 ) -> V {
-    dimension::vector(components, &Name::Own(name), bindings)
+    dimensions::vector(components, &Name::Own(name), bindings)
 }
 
 /// Converts the argument of a constructor to a parameter, and records the numbers that depend on

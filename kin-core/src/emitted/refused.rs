@@ -1,7 +1,7 @@
 //! Messages for parameters that make no sense.
 
 use super::Numbers;
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::Axis;
 
 /// A parameter that can be wrong independently of the others.

@@ -5,11 +5,10 @@ use std::marker::PhantomData;
 use super::calls::Forces;
 use super::multipliers::LOOSE;
 use super::wrench::{Stand, Wrench};
-use crate::model::error::{Error, Result};
 use crate::model::loads::HasTorque;
-use crate::model::motion::Series;
-use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Series;
 
 /// The force and torque on a body over time, about a point and in axes that you choose.
 ///
@@ -159,7 +158,7 @@ impl<'f, V: HasTorque> BodyWrench<'f, V> {
         let name =
             V::COMPONENTS.iter().find(|(_, known)| *known == number).map_or("", |(name, _)| *name);
         let sharing = self.forces.sharing(k, |open| self.is_loose(k, number, open));
-        Err(NotUnique::error(&self.name, &format!("{name} on {}", self.on), sharing))
+        Err(Error::not_unique(&self.name, &format!("{name} on {}", self.on), sharing))
     }
 
     /// Returns the first time at which one of the six components is not unique.

@@ -6,14 +6,14 @@ pub(super) use way::Way;
 
 use super::body::generalised;
 use super::wrench::Stand;
+use crate::coordinates::layout::{Layout, Place};
+use crate::coordinates::{Argument, Target};
 use crate::model::constraint::{Attached, Constraint};
-use crate::model::coordinates::{Argument, Target};
-use crate::model::error::Result;
-use crate::model::layout::{Layout, Place};
 use crate::model::loads::{Acting, ForceAlong, Load, OnBody};
 use crate::model::state::SpatialState;
 use crate::model::terms::Local;
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::Result;
 use crate::solve::motion::Motion;
 use crate::system::System;
 
@@ -245,8 +245,7 @@ pub(super) fn scatter(columns: &[Option<usize>], by_q: &[f64], all: &mut [f64]) 
 
 /// Returns Q of a force at a point and a torque.
 fn on_body(on: &OnBody, t: f64, q: &[f64]) -> Vec<f64> {
-    let at =
-        |laws: &[crate::model::law::Law; 3]| Vec3::new(laws[0].at(t), laws[1].at(t), laws[2].at(t));
+    let at = |laws: &[crate::law::Law; 3]| Vec3::new(laws[0].at(t), laws[1].at(t), laws[2].at(t));
     let stand = Stand::of(q);
     let mut force = at(&on.force);
     let mut torque = at(&on.torque);

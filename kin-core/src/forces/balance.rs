@@ -6,7 +6,7 @@ use super::acting::{Beside, Laid, Now};
 use super::inverse;
 use super::multipliers::not_numbers;
 use super::sum::{At, Sum};
-use crate::model::motion::Series;
+use crate::outcome::motion::Series;
 use crate::solve::motion::Motion;
 use crate::system::System;
 

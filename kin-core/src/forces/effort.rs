@@ -7,10 +7,9 @@ use std::fmt;
 
 use super::calls::Forces;
 use super::multipliers::LOOSE;
-use crate::model::error::{Error, Result};
-use crate::model::motion::Series;
-use crate::model::not_unique::NotUnique;
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Series;
 use by_law::{Led, Share};
 
 /// The efforts and the power of a driver.
@@ -127,7 +126,7 @@ pub(super) fn drive(forces: &Forces<'_>, number: usize) -> Result<Drive> {
             let scale = if is_length { at.length } else { 1.0 };
             let is_loose = |open: usize| led.of(block, &at.open[open], time).abs() * scale > LOOSE;
             if (0..at.open.len()).any(is_loose) {
-                return Err(NotUnique::error(
+                return Err(Error::not_unique(
                     &led.name,
                     "its effort",
                     forces.sharing(time, is_loose),

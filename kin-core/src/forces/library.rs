@@ -5,8 +5,8 @@
 //! the loads of spatial bodies. A load acts on both of its bodies. If one body is the ground, the
 //! load also acts on the ground.
 
-use crate::model::coordinates::{IntoCoordinate, IntoPlanarBody};
-use crate::model::law::Law;
+use crate::coordinates::{IntoCoordinate, IntoPlanarBody};
+use crate::law::Law;
 use crate::model::loads::Load;
 use crate::numbers::algebra::Vec2;
 use kin_macros::{constraint, force, potential};

@@ -34,8 +34,8 @@ mod sum;
 mod table;
 mod wrench;
 
-pub use crate::model::growth::Growth;
 pub use crate::model::loads::LoadSharing;
+pub use crate::outcome::growth::Growth;
 pub use acted::BodyWrench;
 pub use balance::{Balance, Energy};
 pub use calls::Forces;

@@ -2,9 +2,9 @@
 
 use super::acting::Now;
 use super::friction::Rub;
+use crate::coordinates::units::Unit;
 use crate::linear::{Echelon, Independent, Linear, RANK};
-use crate::model::error::Result;
-use crate::model::units::Unit;
+use crate::outcome::error::Result;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 use crate::system::scaled::{Measures, Point};

@@ -4,14 +4,14 @@ use super::acted::BodyWrench;
 use super::acting::Now;
 use super::calls::Forces;
 use super::wrench::{Stand, Wrench};
+use crate::coordinates::Target;
+use crate::coordinates::layout::{Kind, Place};
 use crate::model::body::Body;
 use crate::model::constraint::Attached;
-use crate::model::coordinates::Target;
-use crate::model::error::{Error, Result};
-use crate::model::layout::{Kind, Place};
 use crate::model::loads::HasTorque;
-use crate::model::motion::Series;
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Series;
 
 /// The source of forces on bodies.
 #[derive(Clone, Copy, Debug)]

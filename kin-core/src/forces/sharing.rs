@@ -4,9 +4,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::calls::Forces;
 use super::reaction::{Reaction, Source};
-use crate::model::error::{Error, Result};
 use crate::model::loads::LoadSharing;
-use crate::model::words::list;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::words::list;
 
 /// Entries of the null space below this share of the largest one are rounding. \[-\]
 const NOTHING: f64 = 1e-10;

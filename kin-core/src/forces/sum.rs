@@ -4,8 +4,8 @@
 use super::acting::{Beside, Laid, Now, scatter};
 use super::body::{self, Moved};
 use super::friction::Rub;
-use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
+use crate::coordinates::layout::Kind;
+use crate::outcome::error::{Error, Result};
 use crate::system::System;
 
 /// The generalised forces of everything except constraints, and their powers.

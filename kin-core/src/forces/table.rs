@@ -5,10 +5,10 @@ use std::path::Path;
 
 use super::calls::Forces;
 use super::reaction::{Reaction, Source};
-use crate::model::coordinates::{PlanarBody, SpatialBody};
-use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
-use crate::model::motion::Series;
+use crate::coordinates::layout::Kind;
+use crate::coordinates::{PlanarBody, SpatialBody};
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Series;
 use crate::solve::motion::csv::{as_text, reason, to_file};
 use crate::system::System;
 

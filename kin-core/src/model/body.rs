@@ -1,6 +1,6 @@
 //! Bodies with points that results can follow.
 
-use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
+use crate::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink, Target};
 use crate::model::state::{PlanarState, SpatialState};
 use crate::numbers::algebra::{Scalar, Vec2, Vec3};
 use crate::numbers::real::{Dual3_64, Real};

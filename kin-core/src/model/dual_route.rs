@@ -6,12 +6,12 @@
 
 use crate::numbers::real::{Dual2_64, Dual3_64, Dual64, HyperDual64};
 
+use crate::coordinates::Argument;
+use crate::law::Law;
 use crate::model::blame::{Asked, Blame};
 use crate::model::constraint::{
     Attachment, Constraint, Facts, Parameters, Parts, RouteReason, Written,
 };
-use crate::model::coordinates::Argument;
-use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Real};
 

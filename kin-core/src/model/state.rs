@@ -2,7 +2,7 @@
 //!
 //! Kin computes the state of a body once and shares it among all constraints on the body.
 
-use crate::model::coordinates::Trig;
+use crate::coordinates::Trig;
 use crate::numbers::algebra::{EulerParameters, Mat2, Mat3, Scalar, Vec2, Vec3};
 
 pub use crate::numbers::Offsets;

@@ -3,8 +3,8 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::coordinates::{Argument, Target, Trig};
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Argument, Target, Trig};
 use crate::model::dual_route::{self, Equation};
 use crate::model::state::{At, CoordState, Offsets, PlanarState, Rates, SpatialState};
 

@@ -13,8 +13,8 @@ use super::eliminate::Elimination;
 use super::stages::{At, Pose, numbers};
 use super::substitute::{Explicit, constants, ordered};
 use super::tape::{Masks, OverTimes, Rows, Sink, Straight, straight};
-use crate::model::law::Law;
-use crate::model::motion::Motion;
+use crate::law::Law;
+use crate::outcome::motion::Motion;
 use crate::system::{System, scale};
 
 /// A tape whose first outputs are guards. Pairs of a number and its limit follow, then the

@@ -14,10 +14,10 @@ use kin_graph::differentiate::Partial;
 use kin_graph::{Graph, Input, Node, Op};
 
 use super::kind::{FOREIGN, Kind, SELF, TIMED};
+use crate::coordinates::layout::Place;
+use crate::law::Law;
 use crate::model::constraint::Constraint;
 use crate::model::formula::{Given, Outside, Table, copied, nothing_outside};
-use crate::model::law::Law;
-use crate::model::layout::Place;
 use crate::numbers::real::Dual3_64;
 use crate::system::System;
 pub(crate) use free::{Case, Differences, Free};

@@ -13,7 +13,7 @@ use super::gather::{Differences, Free, Refusal, Whole, gather};
 use super::kind::{SECOND, SELF};
 use super::reduce::Reduced;
 use super::substitute::{Order, substitute};
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::system::System;
 
 /// The error of coordinates in branch selections, as a share of themselves and of their sizes.

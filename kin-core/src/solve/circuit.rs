@@ -3,10 +3,10 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::coordinates::Target;
-use crate::model::error::Result;
-use crate::model::layout::Place;
-use crate::model::units::Unit;
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
+use crate::coordinates::units::Unit;
+use crate::outcome::error::Result;
 use crate::solve::follow::{Curve, CurvePoint, crossing_between, root};
 use crate::solve::newton::{Newton, first_position};
 use crate::solve::options::SolverOptions;

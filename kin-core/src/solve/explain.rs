@@ -3,7 +3,7 @@
 //! The diagnosis is in a module above the solvers, so the solvers receive the diagnosis as
 //! functions.
 
-use crate::model::error::Error;
+use crate::outcome::error::Error;
 use crate::solve::options::SolverOptions;
 use crate::system::System;
 use crate::system::scaled::Model;

@@ -12,7 +12,7 @@ mod summary;
 mod warnings;
 
 pub use crate::model::body::{Body, Vector};
-pub use crate::model::motion::{
+pub use crate::outcome::motion::{
     EngineCounts, Event, EventKind, Motion, Series, Warning, WarningKind,
 };
 pub use planar::Line;
@@ -23,9 +23,9 @@ pub use summary::Displacement;
 
 use std::sync::OnceLock;
 
-use crate::model::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
-use crate::model::error::{Error, Result};
-use crate::model::layout::Place;
+use crate::coordinates::layout::Place;
+use crate::coordinates::{Coordinate, PlanarBody, SpatialBody, Target};
+use crate::outcome::error::{Error, Result};
 use crate::solve::newton::{Newton, Outcome};
 use crate::system::System;
 pub(crate) use quantity::MARKS;

@@ -1,8 +1,8 @@
 //! Defines the options with which Kin solves positions, such as the stop rule and the engine.
 
-use crate::model::error::{Error, Result};
 use crate::model::loads::LoadSharing;
 use crate::numbers::lanes::limit;
+use crate::outcome::error::{Error, Result};
 use crate::solve::assembly::{AssemblyOptions, SearchOptions};
 
 /// The rule by which Newton's iteration has converged.

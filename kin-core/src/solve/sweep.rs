@@ -9,8 +9,8 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use crate::model::error::{Error, Result};
 use crate::numbers::lanes::Lanes;
+use crate::outcome::error::{Error, Result};
 use crate::solve::compiled::{Cases, Varied};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;

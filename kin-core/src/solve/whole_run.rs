@@ -1,6 +1,6 @@
 //! Computes all times of a run, with the compiled program or with the step-by-step solver.
 
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::compiled::Computing;
 use crate::solve::explain::Explain;
 use crate::solve::first_run;

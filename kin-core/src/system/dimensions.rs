@@ -5,12 +5,9 @@ use std::sync::Arc;
 
 use super::parameters::CasePlace;
 use super::{PreferredMeasure, System};
+use crate::coordinates::layout::Kind;
+use crate::dimensions::{Beside, Bound, Dimension, Distribution, Entry, Holder, Snapshot};
 use crate::model::constraint::Constraint;
-use crate::model::dimension::{
-    Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Snapshot,
-};
-use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
 use crate::model::loads::{Acting, sensible_gravity, sensible_point_mass};
 use crate::model::mechanism::SpatialPose;
 use crate::model::mechanism::admission::sensible_parameters;
@@ -18,6 +15,8 @@ use crate::model::mechanism::place::{between, facing};
 use crate::numbers::algebra::Axis;
 use crate::numbers::enclosure::Series;
 use crate::numbers::real::{Dual64, Real};
+use crate::outcome::DimensionError;
+use crate::outcome::error::{Error, Result};
 
 /// The dimensions of a system and their values.
 #[derive(Clone)]

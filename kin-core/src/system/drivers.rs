@@ -4,13 +4,13 @@ use kin_graph::Formula;
 
 use super::System;
 use super::evaluate::Block;
+use crate::coordinates::layout::Layout;
+use crate::coordinates::units::Unit;
+use crate::coordinates::{Coordinate, Target};
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::{Coordinate, Target};
 use crate::model::formula::laws::lengths;
 use crate::model::formula::{Given, Outside};
-use crate::model::law::Law;
-use crate::model::layout::Layout;
-use crate::model::units::Unit;
 
 /// Returns the unit of the coordinate of a constraint that acts on one coordinate only.
 fn unit_of_coordinate(layout: &Layout, block: &Block) -> Option<String> {

@@ -2,7 +2,7 @@
 
 use super::System;
 use crate::model::constraint::Measured;
-use crate::model::error::Error;
+use crate::outcome::error::Error;
 
 /// A measure of a constraint.
 #[derive(Clone, Copy)]

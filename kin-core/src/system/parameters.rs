@@ -1,8 +1,8 @@
 //! Reads and sets parameters by name, such as `slot.k`, without a rebuild of the system.
 
 use super::System;
-use crate::model::error::{Error, Result};
 use crate::model::mechanism::admission::sensible_parameters;
+use crate::outcome::error::{Error, Result};
 
 /// The place of one number of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,8 +3,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::model::layout::Layout;
-use crate::model::units::Unit;
+use crate::coordinates::layout::Layout;
+use crate::coordinates::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::evaluate::Equations;
 

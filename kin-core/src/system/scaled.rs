@@ -8,10 +8,10 @@ use crate::linear::{Echelon, RANK, Sparse};
 use std::sync::atomic::AtomicU64;
 use std::sync::atomic::Ordering::Relaxed;
 
-use crate::model::error::Error;
-use crate::model::layout::Layout;
-use crate::model::units::Unit;
+use crate::coordinates::layout::Layout;
+use crate::coordinates::units::Unit;
 use crate::numbers::random::Random;
+use crate::outcome::error::Error;
 use crate::system::evaluate::{Bad, Equations, JERK_RHS, finite};
 use crate::system::scale;
 

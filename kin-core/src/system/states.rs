@@ -1,7 +1,7 @@
 //! Computes the states of bodies and scalar coordinates once for each iterate, for all constraints.
 
-use crate::model::coordinates::{Target, Trig};
-use crate::model::layout::Place;
+use crate::coordinates::layout::Place;
+use crate::coordinates::{Target, Trig};
 use crate::model::state::{
     COORD_STATE, CoordState, Offsets, PLANAR_STATE, PlanarState, SPATIAL_STATE, SpatialState,
 };
@@ -178,7 +178,7 @@ fn from_mut<T, const N: usize>(all: &mut [T], first: u32) -> &mut [T; N] {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::coordinates::{Coordinate, any_planar};
+    use crate::coordinates::{Coordinate, any_planar};
 
     #[test]
     fn one_coordinate_has_one_state_with_sine_if_anyone_asks() {

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::evaluate::{Bad, Instant, finite};
 use super::{System, scale, time};
 use crate::linear::Linear;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 
 impl System {
     /// Returns C(q, t), in the unit of each row.

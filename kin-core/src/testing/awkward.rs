@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use super::models::*;
 use super::*;
-use crate::model::coordinates::Ground;
-use crate::model::error::Error;
+use crate::coordinates::Ground;
 use crate::model::mechanism::{Mechanism, linspace};
 use crate::numbers::algebra::Vec2;
+use crate::outcome::error::Error;
 use crate::solve::options::{Follow, SolverOptions};
 use crate::system::System;
 

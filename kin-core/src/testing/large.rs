@@ -2,8 +2,8 @@
 
 use super::models::*;
 use super::*;
+use crate::coordinates::Ground;
 use crate::joints::planar;
-use crate::model::coordinates::Ground;
 use crate::model::mechanism::{Mechanism, pose};
 use crate::solve::newton::{Newton, first_position};
 use crate::solve::options::SolverOptions;
@@ -11,7 +11,7 @@ use crate::system::System;
 
 /// θ_j − θ_i − f(t) = 0.   \[rad\]
 #[kin_macros::constraint]
-fn relative(i: Planar, j: Planar, law: Law, t: crate::model::coordinates::Time) -> f64 {
+fn relative(i: Planar, j: Planar, law: Law, t: crate::coordinates::Time) -> f64 {
     j.theta - i.theta - law.at(t)
 }
 
@@ -107,7 +107,7 @@ fn large_singular_system_is_told() {
         m.add(&format!("motor {k}"), relative(bodies[i], bodies[j], Law::constant(0.0))).unwrap();
     }
     let error = m.build().unwrap().run([0.0]).unwrap_err();
-    let crate::model::error::Error::SingularAt { rank, movable, dependent, .. } = &error else {
+    let crate::outcome::error::Error::SingularAt { rank, movable, dependent, .. } = &error else {
         panic!("{error}")
     };
     assert_eq!(*rank, 3 * n - 1);

@@ -3,7 +3,7 @@
 use std::f64::consts::{FRAC_PI_6, TAU};
 
 use super::*;
-use crate::model::coordinates::Link;
+use crate::coordinates::Link;
 use crate::model::mechanism::{Mechanism, deg, pose};
 use crate::numbers::algebra::Vec2;
 use crate::system::System;

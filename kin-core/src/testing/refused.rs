@@ -2,9 +2,9 @@
 
 use super::models::*;
 use super::*;
-use crate::model::coordinates::{Ground, any_planar};
-use crate::model::error::Error;
+use crate::coordinates::{Ground, any_planar};
 use crate::model::mechanism::{Mechanism, SpatialPose, pose};
+use crate::outcome::error::Error;
 use crate::solve::options::{SolverOptions, Stop};
 use crate::system::System;
 

@@ -4,8 +4,8 @@ use std::f64::consts::{FRAC_PI_6, PI, TAU};
 
 use super::models::*;
 use super::*;
+use crate::coordinates::{Ground, any_planar};
 use crate::joints::{drivers, planar};
-use crate::model::coordinates::{Ground, any_planar};
 use crate::model::mechanism::{Mechanism, SpatialPose, linspace, pose};
 use crate::solve::options::{SolverOptions, Stop};
 
@@ -202,11 +202,11 @@ fn compiled_and_hand_written_constraints_run_together() {
 /// A leg of a platform: |r + A u − b| − l(t) = 0.   \[m\]
 #[kin_macros::constraint]
 fn leg(
-    p: crate::model::coordinates::Spatial,
+    p: crate::coordinates::Spatial,
     u: crate::numbers::algebra::Vec3,
     b: crate::numbers::algebra::Vec3,
     l: Law,
-    t: crate::model::coordinates::Time,
+    t: crate::coordinates::Time,
 ) -> f64 {
     (p.point(u) - b).norm() - l.at(t)
 }

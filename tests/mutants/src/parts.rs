@@ -39,7 +39,7 @@ pub const PARTS: [Part; 6] = [
         ],
         tests: &["following", "measures", "proof", "jerk"],
     },
-    Part { name: "laws", code: &["model/law"], tests: &["library", "measures", "jerk", "proof"] },
+    Part { name: "laws", code: &["law"], tests: &["library", "measures", "jerk", "proof"] },
     Part {
         name: "programs",
         code: &["program", "solve/compiled"],

@@ -5,8 +5,8 @@
 use super::law::derivative;
 use super::{Disagreement, Spread, Terms};
 use crate::ask::proof::Part;
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::law::Law;
 use crate::numbers::enclosure::{Interval, ONE, Series};
 
 /// The widths of the intervals around points.

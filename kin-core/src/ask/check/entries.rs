@@ -3,9 +3,9 @@
 use nalgebra::DMatrix;
 
 use super::{DIFFERENCES_TOLERANCE, ROUTES_TOLERANCE};
+use crate::coordinates::Target;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
-use crate::model::mismatch::{Disagreement, Mismatch};
+use crate::outcome::mismatch::{Disagreement, Mismatch};
 
 impl Mismatch {
     pub(super) fn new(
@@ -66,7 +66,7 @@ pub(super) fn differing(
 
 /// Returns the names of the local columns, such as `crank.theta`.
 fn columns(constraint: &dyn Constraint) -> Vec<String> {
-    let of = |argument: &crate::model::coordinates::Argument| -> Vec<String> {
+    let of = |argument: &crate::coordinates::Argument| -> Vec<String> {
         let parts: &[&str] = match argument.target {
             Target::Planar(_) => &[".R_x", ".R_y", ".theta"],
             Target::Spatial(_) => &[".R_x", ".R_y", ".R_z", ".e0", ".e1", ".e2", ".e3"],

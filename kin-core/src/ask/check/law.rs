@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use crate::model::law::Law;
+use crate::law::Law;
 
 /// The places at which a law's derivatives disagree with the law.
 #[derive(Clone, PartialEq)]

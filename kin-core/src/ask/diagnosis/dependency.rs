@@ -1,6 +1,6 @@
 //! Finds minimal sets of equations that depend on one another, with coefficients.
 
-use crate::model::verdict::{Class, Dependency, Level, Persistence, Term};
+use crate::outcome::verdict::{Class, Dependency, Level, Persistence, Term};
 
 use super::examined::{Examined, Side};
 use super::freedom;

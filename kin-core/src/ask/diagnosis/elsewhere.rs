@@ -2,7 +2,7 @@
 //!
 //! Kin tests the alternative before it reports the alternative.
 
-use crate::model::verdict::{Asks, Elsewhere};
+use crate::outcome::verdict::{Asks, Elsewhere};
 
 use super::examined::Examined;
 use crate::linear::Echelon;

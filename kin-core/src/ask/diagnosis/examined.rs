@@ -2,8 +2,8 @@
 
 use super::generic::{Nearby, Walk};
 use super::rank::Ranked;
-use crate::model::layout::Place;
-use crate::model::verdict::{Change, Gap};
+use crate::coordinates::layout::Place;
+use crate::outcome::verdict::{Change, Gap};
 use crate::system::scaled::{Measures, Model};
 
 /// Everything that Kin knows about a mechanism at a pose.

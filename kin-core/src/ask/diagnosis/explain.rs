@@ -1,7 +1,7 @@
 //! Makes the diagnosis that the error of a failed run carries.
 
 use super::{Diagnosis, diagnose};
-use crate::model::error::Error;
+use crate::outcome::error::Error;
 use crate::solve::explain::{Explain, Start};
 use crate::solve::options::SolverOptions;
 use crate::system::System;

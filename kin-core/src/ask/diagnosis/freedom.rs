@@ -2,12 +2,12 @@
 
 mod second_order;
 
-use crate::model::verdict::{BodyMotion, Freedom, How, Persistence};
+use crate::outcome::verdict::{BodyMotion, Freedom, How, Persistence};
 
 use super::examined::{Examined, Side};
+use crate::coordinates::layout::{Item, Kind, Place};
 use crate::linear::{Sparse, dense};
 use crate::model::constraint::{Attached, Attachment};
-use crate::model::layout::{Item, Kind, Place};
 use crate::model::state::SpatialState;
 use crate::numbers::algebra::Vec3;
 

@@ -1,10 +1,10 @@
 //! Reports constraints that cannot be satisfied, their residuals, and the required values of their
 //! drivers.
 
-use crate::model::verdict::{Against, Asks, Gap, Step};
+use crate::outcome::verdict::{Against, Asks, Gap, Step};
 
-use crate::model::layout::Layout;
-use crate::model::units::Unit;
+use crate::coordinates::layout::Layout;
+use crate::coordinates::units::Unit;
 use crate::solve::assembly::search::Found;
 use crate::system::drivers::units_of_rows;
 use crate::system::evaluate::Block;

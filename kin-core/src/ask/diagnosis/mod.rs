@@ -29,7 +29,7 @@ mod search_under_way;
 
 pub(crate) use examine::diagnose;
 
-pub use crate::model::verdict::{
+pub use crate::outcome::verdict::{
     Against, Asks, BodyMotion, Change, Class, Dependency, Diagnosis, Elsewhere, Freedom, Gap,
     GlobalPoint, How, Level, Persistence, Play, Resize, Size, Step, Term,
 };

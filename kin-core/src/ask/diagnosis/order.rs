@@ -3,8 +3,8 @@
 
 use std::cmp::Ordering;
 
-use crate::model::layout::Place;
-use crate::model::units::Unit;
+use crate::coordinates::layout::Place;
+use crate::coordinates::units::Unit;
 use crate::system::scaled::Model;
 
 /// Returns the rows in the order in which the report calls them superfluous: drivers, then joints,

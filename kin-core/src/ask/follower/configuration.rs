@@ -2,9 +2,9 @@
 
 use super::Follower;
 use crate::ask::measure::Measure;
-use crate::model::error::Result;
-use crate::model::motion::Motion;
-use crate::model::named_value::NamedValue;
+use crate::outcome::error::Result;
+use crate::outcome::motion::Motion;
+use crate::outcome::named_value::NamedValue;
 use crate::solve::newton::Outcome;
 use crate::system::System;
 

@@ -1,9 +1,9 @@
 //! The drivers of a follower: the laws of time whose values it moves.
 
 use crate::ask::follower::frozen::Frozen;
+use crate::law::Law;
 use crate::model::formula::laws;
-use crate::model::law::Law;
-use crate::model::named_value::NamedValue;
+use crate::outcome::named_value::NamedValue;
 use crate::system::System;
 use crate::system::evaluate::Block;
 

@@ -1,7 +1,7 @@
 //! A constraint whose time stands still.
 
+use crate::coordinates::Argument;
 use crate::model::constraint::{Constraint, Facts, Parameters, Parts};
-use crate::model::coordinates::Argument;
 use crate::model::state::{At, Rates};
 
 /// A constraint at one time t0, whatever the time of the solver is. Its C_t, C_qt and C_tt are

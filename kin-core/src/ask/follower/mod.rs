@@ -6,9 +6,9 @@ mod frozen;
 mod moved;
 
 use crate::ask::solver::Solver;
-use crate::model::error::{Error, Result};
-use crate::model::law::Law;
-use crate::model::named_value::NamedValue;
+use crate::law::Law;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::named_value::NamedValue;
 use crate::solve::options::SolverOptions;
 use crate::system::{Solution, System, time};
 

@@ -2,11 +2,11 @@
 
 use super::{Follower, Regular};
 use crate::ask::diagnosis::explain::EXPLAIN;
-use crate::model::error::{CannotReach, Error, Result};
-use crate::model::law::Law;
-use crate::model::motion::{Motion, SingularPosition};
-use crate::model::named_value::NamedValue;
-use crate::model::words::list;
+use crate::law::Law;
+use crate::outcome::error::{CannotReach, Error, Result};
+use crate::outcome::motion::{Motion, SingularPosition};
+use crate::outcome::named_value::NamedValue;
+use crate::outcome::words::list;
 use crate::solve::newton::Outcome;
 use crate::solve::options::SolverOptions;
 use crate::solve::run::Run;

@@ -1,7 +1,7 @@
 //! Selects an assembly by a measure.
 
 use super::Measure;
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::assembly::{Assembly, apart};
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;

@@ -1,7 +1,7 @@
 //! Computes the pose at a time between two times of a motion, on the branch of the motion.
 
 use super::changes::Changes;
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;
 use crate::system::{Solution, System};

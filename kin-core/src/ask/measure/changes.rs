@@ -5,8 +5,8 @@
 //! motion continues.
 
 use super::fine::rows;
-use crate::model::error::Result;
-use crate::model::motion::{Branch, SingularKind, SingularPosition};
+use crate::outcome::error::Result;
+use crate::outcome::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;
 use crate::solve::options::SolverOptions;

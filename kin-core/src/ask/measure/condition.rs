@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::motion::{Motion, Series};
 use crate::system::System;
 

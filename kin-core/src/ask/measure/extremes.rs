@@ -2,7 +2,7 @@
 
 use super::Measure;
 use super::roots::{Root, Search, Zero};
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::Motion;
 use crate::system::System;
 

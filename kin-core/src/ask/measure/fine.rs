@@ -18,9 +18,9 @@ pub(super) mod quintic;
 
 use super::Measure;
 use super::changes::Changes;
-use crate::model::error::{Error, Result};
-use crate::model::law::Law;
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
+use crate::law::Law;
+use crate::outcome::error::{Error, Result};
 use crate::solve::follow::REACH;
 use crate::solve::motion::{EventKind, Motion, Quantity};
 use crate::solve::newton::Outcome;

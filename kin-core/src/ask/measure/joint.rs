@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 use crate::system::measures::MeasurePlace;

@@ -1,10 +1,10 @@
 //! Reports an event when a run passes the limit of a joint or the end of a slot.
 
 use super::roots::{Root, Search, Zero};
-use crate::model::error::Result;
+use crate::coordinates::units::Units;
 use crate::model::mechanism::Limit;
-use crate::model::units::Units;
-use crate::model::words::time;
+use crate::outcome::error::Result;
+use crate::outcome::words::time;
 use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 

@@ -22,9 +22,9 @@ pub(crate) use between::quintic;
 pub use extremes::{Extreme, Extremes};
 pub use roots::Crossing;
 
-use crate::model::coordinates::Coordinate;
-use crate::model::error::Result;
-use crate::model::layout::Place;
+use crate::coordinates::Coordinate;
+use crate::coordinates::layout::Place;
+use crate::outcome::error::Result;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 

@@ -1,6 +1,6 @@
 //! Checks that a motion belongs to the present system.
 
-use crate::model::error::{Error, OtherMotion, Result};
+use crate::outcome::error::{Error, OtherMotion, Result};
 use crate::solve::motion::Motion;
 use crate::system::{System, scale};
 

@@ -1,7 +1,7 @@
 //! Finds the times at which a series passes a value.
 
 use super::Crossing;
-use crate::model::motion::Series;
+use crate::outcome::motion::Series;
 
 impl Series {
     /// Returns the times at which the series passes a value, by linear interpolation between its
@@ -39,7 +39,7 @@ impl Series {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::units::Units;
+    use crate::coordinates::units::Units;
 
     fn crossings(times: &[f64], values: &[f64], level: f64) -> Vec<(f64, bool)> {
         let series = Series::new("x", "N", (times, &Units::default()), values.to_vec());

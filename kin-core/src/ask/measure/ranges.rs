@@ -2,7 +2,7 @@
 //!
 //! Kin does not report a law that holds its last value, such as a sequence that comes to rest.
 
-use crate::model::law::LawRange;
+use crate::law::LawRange;
 use crate::solve::motion::{Event, EventKind, Motion};
 use crate::system::System;
 

@@ -6,7 +6,7 @@ use super::between::step_of;
 use super::fine::Fine;
 use super::fine::clock::breaks;
 use super::fine::quintic::{Quintic, derivative, is_simple, value, zeros};
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 

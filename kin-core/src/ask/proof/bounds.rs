@@ -4,11 +4,11 @@ use kin_graph::{Formula, Input, Results, evaluate, evaluate_along};
 
 use crate::model::blame::Source;
 use crate::model::constraint::{Constraint, Route};
-use crate::model::error::Error;
 use crate::model::formula::bounds::{self as equation, Inputs};
 use crate::model::formula::{Outside, Table};
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
 use crate::numbers::enclosure::series::Series;
+use crate::outcome::error::Error;
 use crate::system::System;
 use crate::system::evaluate::Block;
 

@@ -3,9 +3,9 @@
 use std::fmt;
 
 use super::{Proof, Tube, Unproved, UnprovedReason};
-use crate::model::units::Unit;
-use crate::model::words::{count, joined, time};
+use crate::coordinates::units::Unit;
 use crate::numbers::enclosure::interval::down;
+use crate::outcome::words::{count, joined, time};
 
 /// Writes the verdict, and the first step without a proof.
 pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -152,8 +152,8 @@ impl fmt::Display for Unproved {
 mod tests {
     use super::*;
     use crate::ask::proof::StepProof;
+    use crate::coordinates::units::Units;
     use crate::model::blame::Source;
-    use crate::model::units::Units;
 
     fn tube(radius: [f64; 3], alone: [f64; 3]) -> Tube {
         Tube { radius: radius.to_vec(), alone: alone.to_vec() }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 
-use crate::data::dimensions::NumberData;
+use crate::data::dimension::NumberData;
 use crate::data::format::ArgumentData;
 use crate::data::once;
 

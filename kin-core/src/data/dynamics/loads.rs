@@ -7,24 +7,24 @@ use super::format::{
     ActingData, AlongData, FormulaData, FrictionData, FrictionShape, LoadData, MeasureData,
     PointMassData, ScalarData,
 };
-use crate::data::dimensions::{NumberData, Texts};
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
+use crate::data::dimension::{NumberData, Texts};
 use crate::data::format::{ArgumentData, ConstraintData};
 use crate::data::law::LawData;
 use crate::data::names::plain;
 use crate::data::registry::{Made, Registry};
+use crate::dimensions::{Beside, Dimension, Holder};
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
 use crate::model::describer::Describer;
-use crate::model::dimension::{Beside, Dimension, Holder};
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
-use crate::model::law::Law;
-use crate::model::layout::Place;
 use crate::model::loads::{
     Acting, Along, ForceAlong, Friction, Holding, HungInLoad, Line, Load, OnBody, Shape,
 };
 use crate::model::mechanism::Mechanism;
-use crate::model::similar;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::similar;
 
 /// The equations that the file must contain as text, by their kinds.
 pub(in crate::data) type Carried = Vec<(String, String)>;

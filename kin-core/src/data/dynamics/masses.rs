@@ -2,13 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::data::dimensions::{NumberData, Texts};
-use crate::model::coordinates::Target;
-use crate::model::dimension::{Beside, Dimension};
-use crate::model::error::{Error, Result};
+use crate::coordinates::Target;
+use crate::data::dimension::{NumberData, Texts};
+use crate::dimensions::{Beside, Dimension};
 use crate::model::loads::Solid;
 use crate::model::mechanism::Mechanism;
 use crate::numbers::algebra::{Mat3, Vec3};
+use crate::outcome::error::{Error, Result};
 
 /// The mass of a body.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

@@ -5,8 +5,8 @@ use std::fmt;
 use serde::de::{Error, Expected, Unexpected};
 
 use super::place;
-use crate::model::similar;
-use crate::model::words::count;
+use crate::outcome::similar;
+use crate::outcome::words::count;
 
 /// A step into a value of JSON.
 #[derive(Clone, Debug, PartialEq)]

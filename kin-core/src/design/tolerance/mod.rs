@@ -16,10 +16,11 @@ pub use worst::{Off, Searched};
 
 use super::feature::{Feature, Followed};
 use crate::ask::measure::Measure;
-use crate::model::dimension::{DimensionError, Distribution};
-use crate::model::error::Result;
-use crate::model::error::surface::Surface;
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
+use crate::dimensions::Distribution;
+use crate::outcome::DimensionError;
+use crate::outcome::error::Result;
+use crate::outcome::error::surface::Surface;
 use crate::solve::motion::Motion;
 use crate::system::System;
 use source::{Source, sources};

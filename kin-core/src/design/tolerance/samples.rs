@@ -6,9 +6,9 @@ use super::super::feature::{Feature, Followed, Term, first, orientation, unrescu
 use super::source::Source;
 use super::text::digits;
 use crate::ask::measure::{Measure, quintic};
-use crate::model::dimension::Distribution;
-use crate::model::error::{Error, Result};
+use crate::dimensions::Distribution;
 use crate::numbers::random::Random;
+use crate::outcome::error::{Error, Result};
 use crate::solve::motion::{Motion, Quantity};
 use crate::system::System;
 

@@ -3,7 +3,7 @@
 use super::super::feature::Followed;
 use super::source::Source;
 use crate::ask::measure::Measure;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 
 /// The step of the differences, in tolerances. It is small compared with the nonlinearity of the
 /// measure, and rounding of the gradients stays below 1e-12 of the linear stack. \[-\]

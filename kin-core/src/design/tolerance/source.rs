@@ -1,6 +1,6 @@
 //! Describes a source of deviation: a dimension, or the two dimensions of a clearance.
 
-use crate::model::dimension::Distribution;
+use crate::dimensions::Distribution;
 use crate::system::dimensions::Toleranced;
 
 /// A dimension with a tolerance, or the two of a clearance, by their indices among all.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use super::super::feature::Feature;
 use super::{Off, Searched, Tolerance};
-use crate::model::words::joined;
+use crate::outcome::words::joined;
 
 /// If the corners differ from the stack by more than this share, the text says so. \[-\]
 const MISLED: f64 = 0.05;

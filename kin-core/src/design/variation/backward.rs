@@ -8,7 +8,7 @@ use crate::design::adjoint::Weights;
 use crate::design::agreement::{Agreement, TERMS};
 use crate::design::along::Prepared;
 use crate::design::solver::CONSISTENT;
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::program::{Asked, Elimination, Guarded, Masks, Reduced, Summed, take};
 use crate::solve::motion::Motion;
 

@@ -9,7 +9,7 @@ use kin_graph::{Graph, Input, Node};
 
 use super::nodes::{Gathered, JetCells, moved, put_rates};
 use crate::design::along::Prepared;
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::program::{Elimination, Guarded, IntoRows, Masks, Reduced, SELF};
 use crate::solve::motion::Motion;
 

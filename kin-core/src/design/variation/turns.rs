@@ -10,7 +10,7 @@
 use kin_graph::{Graph, Input, Node, Op};
 
 use super::nodes::Gathered;
-use crate::model::layout::Kind;
+use crate::coordinates::layout::Kind;
 use crate::program::SELF;
 use crate::system::System;
 

@@ -1,6 +1,6 @@
 //! Numeric parameters by name.
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3};
 
 /// A parameter made of numbers, each with a name: `k`, `u.x`, `c[2]`, `profile.rate`.

@@ -27,12 +27,12 @@ pub trait Own {
 
 impl<T> Own for Named<T> {}
 
-impl Named<crate::model::coordinates::Link> {
+impl Named<crate::coordinates::Link> {
     /// It is a handle.
     pub const IS_OWN: bool = false;
 }
 
-impl Named<crate::model::coordinates::SpatialLink> {
+impl Named<crate::coordinates::SpatialLink> {
     /// It is a handle.
     pub const IS_OWN: bool = false;
 }

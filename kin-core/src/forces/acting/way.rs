@@ -5,11 +5,11 @@ use std::f64::consts::TAU;
 
 use super::{Beside, Now};
 use crate::ask::measure::Measure;
-use crate::model::coordinates::{Argument, Target};
-use crate::model::error::Result;
+use crate::coordinates::{Argument, Target};
 use crate::model::loads::{Along, Line};
 use crate::model::terms::{Moving, measure};
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::Result;
 use crate::solve::motion::Motion;
 use crate::system::System;
 

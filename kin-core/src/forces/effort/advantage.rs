@@ -3,8 +3,8 @@
 use nalgebra::DVector;
 
 use crate::ask::measure::Measure;
-use crate::model::error::{Error, Result};
-use crate::model::motion::Series;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Series;
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;
 use crate::system::System;

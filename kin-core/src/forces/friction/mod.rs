@@ -13,11 +13,10 @@ use nalgebra::{DMatrix, DVector};
 
 use super::acting::Now;
 use super::multipliers::{LOOSE, Multipliers, TransposedSolver};
-use crate::model::error::{Error, Result};
-use crate::model::jammed::Jammed;
 use crate::model::loads::Friction;
-use crate::model::not_unique::NotUnique;
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::jammed::Jammed;
 use crate::system::System;
 use crate::system::evaluate::Block;
 use grown::{Grown, Laws};
@@ -131,7 +130,7 @@ impl Frictions {
                 if rubbing.contacts(rub, wrench).iter().any(loose) {
                     let what = "the force that causes its friction";
                     let sharing = found.beside.sharing(solver.system(), |open| open == number);
-                    return Err(NotUnique::error(&rubbing.name, what, sharing));
+                    return Err(Error::not_unique(&rubbing.name, what, sharing));
                 }
             }
         }

@@ -4,13 +4,13 @@
 use super::super::acting::Now;
 use super::super::body::generalised;
 use super::super::wrench::{Stand, Wrench};
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
-use crate::model::error::Result;
-use crate::model::layout::Place;
 use crate::model::loads::{Friction, Seat, Shape};
 use crate::model::state::SpatialState;
 use crate::numbers::algebra::{Vec3, vec3};
+use crate::outcome::error::Result;
 use crate::system::System;
 
 /// A joint with friction.

@@ -3,7 +3,7 @@
 use super::super::acting::Now;
 use super::super::multipliers::TransposedSolver;
 use super::Acting;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::follow::{SingularKind, SingularPosition};
 use crate::solve::motion::Motion;
 use crate::solve::newton::Outcome;

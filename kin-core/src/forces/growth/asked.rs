@@ -4,8 +4,8 @@ use super::super::acting::Beside;
 use super::super::calls::Forces;
 use super::super::sum::Sum;
 use super::towards;
-use crate::model::error::Result;
-use crate::model::growth::Growth;
+use crate::outcome::error::Result;
+use crate::outcome::growth::Growth;
 
 impl Forces<'_> {
     /// Returns the constraints whose forces grow without bound near the singular positions of the

@@ -11,8 +11,8 @@ mod asked;
 mod power;
 
 use super::acting::Now;
-use crate::model::error::{Error, Result};
-use crate::model::growth::{Growth, Unbounded};
+use crate::outcome::error::{Error, Result};
+use crate::outcome::growth::{Growth, Unbounded};
 use crate::solve::follow::SingularPosition;
 use crate::solve::motion::Motion;
 use crate::system::System;

@@ -1,7 +1,7 @@
 //! Computes the forces of the cases of a sweep.
 
 use crate::forces::Forces;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::sweep::Sweep;
 
 impl Sweep<'_> {

@@ -3,7 +3,7 @@
 use kin_graph::{Graph, Input, Node};
 
 use super::vectors::{Nodes3, Vectors, transposed};
-use crate::model::layout::Kind;
+use crate::coordinates::layout::Kind;
 use crate::program::{SELF, Whole};
 
 /// The position, velocity and acceleration of a body's frame.

@@ -4,9 +4,9 @@
 use std::sync::Arc;
 
 use super::tape_with;
+use crate::coordinates::Target;
+use crate::coordinates::layout::{Kind, Place};
 use crate::forces::Forces;
-use crate::model::coordinates::Target;
-use crate::model::layout::{Kind, Place};
 use crate::model::loads::{Acting, Load, Loads, OnBody, Solid};
 use crate::numbers::algebra::{Mat3, Vec3};
 use crate::program::tests::models::systems;

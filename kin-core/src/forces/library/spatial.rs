@@ -1,7 +1,7 @@
 //! Defines the loads of spatial bodies.
 
-use crate::model::coordinates::IntoSpatialBody;
-use crate::model::law::Law;
+use crate::coordinates::IntoSpatialBody;
+use crate::law::Law;
 use crate::model::loads::{IntoLoad, Load};
 use crate::numbers::algebra::{Axis, EulerParameters, Vec3};
 use kin_macros::{constraint, potential};

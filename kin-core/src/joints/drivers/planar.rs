@@ -1,6 +1,6 @@
 //! Defines the drivers of coordinates and planar bodies.
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 

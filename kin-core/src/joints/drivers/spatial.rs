@@ -1,6 +1,6 @@
 //! Defines the drivers of spatial bodies.
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::{Axis, EulerParameters, Vec3, vec3};
 use kin_macros::constraint;
 

@@ -3,7 +3,7 @@
 //! Kin does not wrap the angles of planar bodies, so a coupling counts full revolutions.
 
 use super::terms::{self, TERMS};
-use crate::model::coordinates::{Coordinate, Ground};
+use crate::coordinates::{Coordinate, Ground};
 use crate::numbers::algebra::Vec2;
 use kin_macros::constraint;
 

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::{Vec2, vec2};
 use kin_macros::constraint;
 

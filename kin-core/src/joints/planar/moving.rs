@@ -1,6 +1,6 @@
 //! Defines joints with a point that moves in its body.
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::{Vec2, vec2};
 use kin_macros::constraint;
 

@@ -1,6 +1,6 @@
 //! Defines joints with a point that moves in its body.
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::algebra::{Vec3, vec3};
 use kin_macros::constraint;
 

@@ -7,12 +7,11 @@
 //! jets. On the dual route Kin runs the user's function again with numbers that record where they
 //! failed (`trace.rs`).
 
-mod culprit;
 mod interpret;
 pub(crate) mod jet;
 pub(crate) mod trace;
 
-pub use culprit::{Culprit, Found, Part, Source};
+pub use crate::outcome::culprit::{Culprit, Found, Part, Source};
 
 /// The terms of a constraint that can be infinite or NaN.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

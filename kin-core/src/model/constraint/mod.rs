@@ -8,7 +8,7 @@ mod parameters;
 mod route;
 mod written;
 
-use crate::model::coordinates::Argument;
+use crate::coordinates::Argument;
 use crate::model::state::{At, Rates};
 
 pub use facts::{Dependence, Entry, Facts};

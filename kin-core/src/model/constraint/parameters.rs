@@ -1,9 +1,9 @@
 //! Reads, sets, checks and writes the numeric parameters of a constraint.
 
 use super::Constraint;
+use crate::dimensions::Bindings;
+use crate::law::Law;
 use crate::model::describer::Describer;
-use crate::model::dimension::Bindings;
-use crate::model::law::Law;
 
 /// The numeric parameters of a constraint.
 ///

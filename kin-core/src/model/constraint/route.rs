@@ -3,29 +3,8 @@
 use std::fmt;
 
 use super::Constraint;
-use crate::model::blame::Source;
-
-/// The way to obtain the derivatives of a constraint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Route {
-    /// `#[constraint]` differentiates the equation at compile time to straight-line code.
-    Symbolic,
-    /// Kin evaluates the user's equation with dual numbers.
-    Dual,
-    /// The program computes the derivatives by hand-written code: an `impl Constraint` without the
-    /// macro.
-    Hand,
-}
-
-impl fmt::Display for Route {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Route::Symbolic => "symbolic",
-            Route::Dual => "dual",
-            Route::Hand => "hand-written",
-        })
-    }
-}
+use crate::outcome::culprit::Source;
+pub use crate::outcome::mismatch::Route;
 
 /// The reason why a constraint takes its route ([`crate::constraint::Facts::reason`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,11 +2,11 @@
 //! and the expression that fails.
 
 use super::Constraint;
+use crate::coordinates::Argument;
+use crate::law::Law;
 use crate::model::blame::{Asked, Blame};
-use crate::model::coordinates::Argument;
 use crate::model::formula::jerk::Along;
 use crate::model::formula::{Given, Outside, Table};
-use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 use crate::numbers::algebra::Vec3;
 use crate::numbers::real::Dual3_64;

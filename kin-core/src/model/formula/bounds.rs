@@ -4,12 +4,12 @@
 use crate::numbers::real::Dual3_64;
 use kin_graph::{Comparison, Formula, Input, LeafUse, Node, Number, Op, Possibly, Results, Source};
 
+use crate::law::Law;
 use crate::model::blame;
-use crate::model::error::surface::Surface;
 use crate::model::formula::{Given, Outside, Table};
-use crate::model::law::Law;
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
 use crate::numbers::enclosure::series::{ORDER, Series, UNKNOWN};
+use crate::outcome::error::surface::Surface;
 
 /// The inputs of an evaluation.
 pub(crate) struct Inputs<'a> {

@@ -6,7 +6,7 @@
 use kin_graph::{Formula, Input, LeafUse, Node, Source, evaluate};
 
 use super::{Given, Outside, jet_of_law};
-use crate::model::coordinates::Argument;
+use crate::coordinates::Argument;
 use crate::model::state::{At, Rates};
 use crate::numbers::real::{Dual, Dual3_64, Real};
 use crate::numbers::wide::Wide;

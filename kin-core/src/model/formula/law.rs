@@ -4,7 +4,7 @@
 use super::bounds::{self, Inputs, opaque, row};
 use super::jerk::Along;
 use super::{Given, Outside, Table, nothing_outside};
-use crate::model::law::{Law, LawFunction};
+use crate::law::{Law, LawFunction};
 use crate::numbers::enclosure::Series;
 use crate::numbers::enclosure::interval::ZERO;
 use crate::numbers::real::Dual3_64;

@@ -18,9 +18,9 @@ use std::sync::OnceLock;
 use crate::numbers::real::Dual3_64;
 use kin_graph::{Expression, Formula};
 
+use crate::coordinates::Argument;
+use crate::law::Law;
 use crate::model::blame::Source;
-use crate::model::coordinates::Argument;
-use crate::model::law::Law;
 use crate::model::state::{At, Rates};
 
 /// The file name of an equation that was read as text.

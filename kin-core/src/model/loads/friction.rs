@@ -1,12 +1,12 @@
 //! Describes dry friction in pins and slides: the numbers, and where in a joint friction acts.
 
+use crate::coordinates::Target;
+use crate::dimensions::{Dimension, IntoNumber};
 use crate::model::constraint::{Attached, Constraint};
-use crate::model::coordinates::Target;
 use crate::model::describer::Describer;
-use crate::model::dimension::{Dimension, IntoNumber};
-use crate::model::error::Error;
-use crate::model::words::list;
 use crate::numbers::algebra::{Vec3, vec3};
+use crate::outcome::error::Error;
+use crate::outcome::words::list;
 
 /// Dry friction in a joint: μ times the sum of the contact forces, times tanh(v/v₀) against the
 /// slip v.

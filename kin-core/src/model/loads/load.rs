@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::{Along, ByLaws, ForceAlong, HasTorque, IntoAlong, Line};
+use crate::coordinates::Target;
+use crate::dimensions::{Bindings, Dimension, IntoVector};
+use crate::law::Law;
 use crate::model::body::Body;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
-use crate::model::dimension::{Bindings, Dimension, IntoVector};
-use crate::model::law::Law;
 
 /// A load: an energy, a force along a length or an angle, or a force and a torque on a body.
 #[derive(Clone)]

@@ -1,10 +1,10 @@
 //! Sets the numbers of masses and loads by their names, and checks them.
 
 use super::{Acting, Along, ForceAlong, Friction, Line, Loads, OnBody, Solid};
+use crate::dimensions::{Beside, Holder};
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::dimension::{Beside, Holder};
-use crate::model::error::{Error, Result};
-use crate::model::law::Law;
+use crate::outcome::error::{Error, Result};
 
 impl Loads {
     /// Returns the name and the constraint of a mass or load.

@@ -1,7 +1,7 @@
 //! Computes mass, centre of mass and inertia of a body, from numbers or from shapes and a density.
 
+use crate::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
 use crate::model::body::Body;
-use crate::model::coordinates::{Link, PlanarBody, SpatialBody, SpatialLink};
 use crate::numbers::algebra::{EulerParameters, Mat3, Scalar, Vec2, Vec3};
 
 /// Mass, centre of mass and inertia of a body.

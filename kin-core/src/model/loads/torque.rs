@@ -1,9 +1,9 @@
 //! Defines the types of forces and torques, in the plane and in space, as constants or laws of
 //! time.
 
+use crate::dimensions::IntoNumber;
+use crate::law::Law;
 use crate::model::body::Vector;
-use crate::model::dimension::IntoNumber;
-use crate::model::law::Law;
 use crate::numbers::algebra::{Vec2, Vec3};
 
 /// A vector of the plane or of space, with the type of a torque: a number in the plane, a vector in

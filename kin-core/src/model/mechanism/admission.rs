@@ -1,10 +1,10 @@
 //! The conditions under which a mechanism accepts a constraint.
 
+use crate::coordinates::layout::{Layout, Place};
+use crate::coordinates::{Argument, Target};
 use crate::model::constraint::{Constraint, Entry};
-use crate::model::coordinates::{Argument, Target};
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
-use crate::model::layout::{Layout, Place};
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 
 /// Returns an error, by name, for parameters that are not finite or contradict each other, bodies
 /// of other mechanisms, the same body or coordinate twice, rows without coordinates, and

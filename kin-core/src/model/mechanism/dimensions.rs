@@ -3,15 +3,16 @@
 use kin_graph::{Input, Node, Op};
 
 use super::Mechanism;
-use crate::model::constraint::Constraint;
-use crate::model::dimension::{
-    Beside, Bound, Dimension, DimensionError, Distribution, Entry, Holder, Hung, IntoNumber, Of,
-    Shared, Snapshot, text_of,
+use crate::coordinates::layout::Kind;
+use crate::dimensions::{
+    Beside, Bound, Dimension, Distribution, Entry, Holder, Hung, IntoNumber, Of, Shared, Snapshot,
+    text_of,
 };
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
-use crate::model::layout::Kind;
+use crate::model::constraint::Constraint;
 use crate::numbers::algebra::{Axis, Vec2};
+use crate::outcome::DimensionError;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 
 impl Mechanism {
     /// Declares a named dimension with its nominal value: a length, an angle, a velocity.

@@ -1,9 +1,9 @@
 //! Adds friction to joints of a mechanism.
 
 use super::Mechanism;
-use crate::model::dimension::Beside;
-use crate::model::error::{Error, Result};
+use crate::dimensions::Beside;
 use crate::model::loads::Friction;
+use crate::outcome::error::{Error, Result};
 
 impl Mechanism {
     /// Adds dry friction to an existing joint, by the name of the joint.

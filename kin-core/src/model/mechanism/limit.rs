@@ -1,7 +1,7 @@
 //! Sets permitted ranges of measures.
 
 use super::Mechanism;
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 
 /// The permitted range of a measure. An infinite end means no limit.
 #[derive(Clone, Debug, PartialEq)]

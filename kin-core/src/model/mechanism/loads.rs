@@ -1,21 +1,21 @@
 //! Adds masses, gravity and loads to a mechanism.
 
 use super::{Mechanism, Refused, admission};
-use crate::model::body::Body;
-use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
-use crate::model::dimension::{
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
+use crate::dimensions::{
     Beside, Bindings, Dimension, Holder, Hung, IntoGravity, IntoNumber, IntoParameter, IntoVector,
     Name,
 };
-use crate::model::error::{Error, Result};
-use crate::model::layout::Place;
+use crate::model::body::Body;
+use crate::model::constraint::Constraint;
 use crate::model::loads::{
     Acting, Along, ForceAlong, HasMass, Holding, HungInLoad, IntoLoad, Line, Load, OnBody, Solid,
     senseless, sensible_gravity, sensible_point_mass,
 };
 use crate::model::mechanism::IntoConstraint;
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::{Error, Result};
 
 impl Mechanism {
     /// Sets the mass of a body, its centre of mass in the body frame, and its inertia about the

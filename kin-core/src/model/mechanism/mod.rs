@@ -23,16 +23,16 @@ pub use units::UnitWords;
 use std::collections::HashSet;
 use std::sync::Arc;
 
-use crate::model::constraint::Constraint;
-use crate::model::coordinates::{
+use crate::coordinates::layout::{Kind, Layout, Place};
+use crate::coordinates::units::Units;
+use crate::coordinates::{
     Coordinate, Ground, Link, MechanismId, PlanarBody, SpatialBody, Target, Trig,
 };
-use crate::model::dimension::{Bound, Dimension, Holder, Hung, IntoNumber, Shared};
-use crate::model::error::{Error, Result};
-use crate::model::layout::{Kind, Layout, Place};
+use crate::dimensions::{Bound, Dimension, Holder, Hung, IntoNumber, Shared};
+use crate::model::constraint::Constraint;
 use crate::model::loads::Loads;
-use crate::model::units::Units;
-use crate::model::words::GROUND;
+use crate::outcome::error::{Error, Result};
+use crate::outcome::words::GROUND;
 
 /// The bodies, scalar coordinates and constraints of a machine.
 ///
@@ -364,7 +364,7 @@ impl Mechanism {
             });
         }
         if let Some(k) = q.iter().position(|x| !x.is_finite()) {
-            return Err(self.layout.not_finite(k, q[k]));
+            return Err(Error::initial_not_finite(&self.layout, k, q[k]));
         }
         self.initial.copy_from_slice(q);
         self.free_guesses(0..q.len());
@@ -382,7 +382,7 @@ impl Mechanism {
             return Ok(());
         };
         if let Some(k) = numbers.iter().position(|number| !number.value().is_finite()) {
-            return Err(self.layout.not_finite(first + k, numbers[k].value()));
+            return Err(Error::initial_not_finite(&self.layout, first + k, numbers[k].value()));
         }
         numbers.iter().try_for_each(|number| self.check_origin(place, *number))?;
         self.free_guesses(first..first + numbers.len());

@@ -3,12 +3,12 @@
 //! These functions help because users often forget that the frame of a link is in its middle.
 
 use super::{Mechanism, Pose, SpatialPose};
+use crate::coordinates::layout::Place;
+use crate::coordinates::{Link, SpatialLink};
+use crate::dimensions::{Bound, IntoNumber};
 use crate::model::body::Body;
-use crate::model::coordinates::{Link, SpatialLink};
-use crate::model::dimension::{Bound, IntoNumber};
-use crate::model::error::{Error, Result};
-use crate::model::layout::Place;
 use crate::numbers::algebra::{Axis, Components, Mix, Mixed, Scalar, Vec2, Vec3};
+use crate::outcome::error::{Error, Result};
 
 /// A named point and direction of a body, both in the frame of the body.
 ///

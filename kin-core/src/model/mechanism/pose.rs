@@ -1,7 +1,7 @@
 //! Defines poses of bodies, and helpers for the numbers of a model.
 
 use super::place::facing;
-use crate::model::dimension::{Dimension, IntoNumber};
+use crate::dimensions::{Dimension, IntoNumber};
 use crate::numbers::algebra::{
     Axis, Components, EulerParameters, Mat3, Mix, Mixed, Scalar, Vec2, Vec3,
 };

@@ -1,13 +1,11 @@
 //! Selects one of several assemblies.
 
 use super::{Drawn, IntoSpatialPose, Mechanism, Refused, SpatialPose};
-use crate::model::coordinates::{
-    Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig,
-};
-use crate::model::dimension::{Bound, Dimension, IntoNumber};
-use crate::model::error::{Error, Result};
-use crate::model::layout::Place;
+use crate::coordinates::layout::Place;
+use crate::coordinates::{Coordinate, Link, PlanarBody, SpatialBody, SpatialLink, Target, Trig};
+use crate::dimensions::{Bound, Dimension, IntoNumber};
 use crate::numbers::algebra::{EulerParameters, Scalar};
+use crate::outcome::error::{Error, Result};
 
 /// A quantity whose preferred value [`Mechanism::prefer`] sets, with a value of type V.
 ///

@@ -1,9 +1,9 @@
 //! Declares the names of units, and checks that they do not contradict other numbers.
 
 use super::{Mechanism, Refused};
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 
 /// The names of the units from [`Mechanism::units`], to which [`UnitWords::mass`] adds the unit of
 /// mass.

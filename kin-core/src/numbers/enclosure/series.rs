@@ -17,7 +17,7 @@ pub(crate) const ORDER: usize = 6;
 const FULL: usize = ORDER + 1;
 
 /// Bounds of the values and the derivatives of a function of σ, −1 ≤ σ ≤ 1.
-/// [`crate::model::law::LawFunction::over`] receives and returns such bounds.
+/// [`crate::law::LawFunction::over`] receives and returns such bounds.
 ///
 /// The type has the operators of a number (`+`, `−`, `·`, `/`) and the functions of `f64`. The
 /// results are valid for every value of the operands between their bounds, including rounding

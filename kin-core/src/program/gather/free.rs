@@ -6,9 +6,9 @@
 use kin_graph::{Graph, Input, Node, Op};
 
 use super::timed::timed;
+use crate::law::Law;
 use crate::model::constraint::Constraint;
 use crate::model::formula::{Given, Outside};
-use crate::model::law::Law;
 use crate::system::System;
 
 /// Some constraints as they are in one case, with marks for the numbers and laws that differ in

@@ -4,9 +4,9 @@
 
 use kin_graph::Node;
 
+use crate::law::{Law, LawFunction};
 use crate::model::constraint::Constraint;
 use crate::model::formula::jerk::Along;
-use crate::model::law::{Law, LawFunction};
 
 /// A node of a constraint's formula that depends on time alone.
 struct Timed {

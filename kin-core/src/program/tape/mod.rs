@@ -24,7 +24,7 @@ use kin_graph::{Comparison, Function, Function2};
 pub(crate) const NO_LANES: &str =
     "this machine has no registers (AVX-512, AVX2 with FMA, Neon) for several times at once";
 
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::program::gather::{Case, Free};
 use crate::system::System;
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::replay::Replay;
 use super::times::Limits;
 use super::{SHORT, Stage, Tape};
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::lanes::Level;
 use crate::numbers::lanes::lanewise::{Answer, Computed};
 use crate::program::gather::Case;

@@ -4,7 +4,7 @@ use kin_graph::{Comparison, Function, Function2};
 use pulp::NullaryFnOnce;
 
 use super::{Kind, Run, SHORT, Stage, Step};
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::lanes::lanewise::Computed;
 
 /// A stage, passed to the function that uses the machine's SIMD instructions.

@@ -8,7 +8,7 @@ use kin_graph::{Function, Function2, Graph, Input, Node, Op, schedule::fused};
 use super::order::{Neutral, ordered};
 use super::places::{ByNode, Places, is_given};
 use super::{Kind, Stage, Straight, Tape};
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::program::kind::SELF;
 use crate::program::stages::Program;
 

@@ -7,7 +7,7 @@ use pulp::NullaryFnOnce;
 
 use super::replay::Replay;
 use super::{SHORT, Stage};
-use crate::model::law::Law;
+use crate::law::Law;
 use crate::numbers::lanes::{Lanes, Level, Mask, Wide, WithLevel};
 
 /// A time is returned to the caller if a guard falls below this share of its mark. \[-\]

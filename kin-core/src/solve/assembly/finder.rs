@@ -2,8 +2,8 @@
 
 use super::groups::Group;
 use super::known::Known;
+use crate::coordinates::units::Unit;
 use crate::linear::{Dense, LeastSquares, Linear};
-use crate::model::units::Unit;
 use crate::system::evaluate::Instant;
 use crate::system::scaled::{Measures, Model};
 

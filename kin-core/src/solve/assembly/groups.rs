@@ -3,8 +3,8 @@
 //! Each group has as many unknown coordinates as equations, after the preceding groups are solved.
 //! For example, a driven crank is one group, and the loop that the crank moves is another group.
 
-use crate::model::coordinates::Target;
-use crate::model::layout::{Kind, Place};
+use crate::coordinates::Target;
+use crate::coordinates::layout::{Kind, Place};
 use crate::program::blocks;
 use crate::system::scaled::Model;
 

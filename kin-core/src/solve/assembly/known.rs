@@ -2,8 +2,8 @@
 //! missing poses.
 
 use super::label::canonical;
-use crate::model::layout::Kind;
-use crate::model::units::Unit;
+use crate::coordinates::layout::Kind;
+use crate::coordinates::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
 /// Two poses are equal if no coordinate differs by more than this. \[-\]

@@ -3,11 +3,11 @@
 use std::fmt::{Display, Formatter};
 use std::str::FromStr;
 
+use crate::coordinates::Target;
+use crate::coordinates::layout::{Kind, Layout, Place};
+use crate::coordinates::units::Unit;
 use crate::linear::{Echelon, RANK};
-use crate::model::coordinates::Target;
-use crate::model::layout::{Kind, Layout, Place};
 use crate::model::state::SpatialState;
-use crate::model::units::Unit;
 use crate::system::scaled::{Measures, Model};
 
 /// The name of one assembly: a vector of signs, and an ordinal among the assemblies with the same

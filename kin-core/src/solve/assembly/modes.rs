@@ -18,9 +18,9 @@ use super::label::labelled;
 use super::levenberg_marquardt::LevenbergMarquardt;
 use super::options::{AssemblyOptions, Clock, at_least_one};
 use super::{turn, turned_over};
-use crate::model::error::{Error, Result};
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
 use crate::numbers::random::Random;
+use crate::outcome::error::{Error, Result};
 use crate::system::scaled::{Measures, Model};
 
 /// More solutions of one group than this are no assemblies but poses of something that moves; more

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 
 /// Options of the search for a pose from a guess that may be poor.
 ///

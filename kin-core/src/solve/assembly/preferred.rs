@@ -4,9 +4,9 @@
 use super::modes;
 use super::options::SearchOptions;
 use super::{Assembly, AssemblyOptions};
-use crate::model::error::Result;
-use crate::model::layout::{Kind, Layout};
-use crate::model::units::Unit;
+use crate::coordinates::layout::{Kind, Layout};
+use crate::coordinates::units::Unit;
+use crate::outcome::error::Result;
 use crate::system::{PreferredMeasure, System};
 
 /// If an assembly is this close to all preferred values, Kin does not search others. \[rad, or

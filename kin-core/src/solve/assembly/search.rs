@@ -5,7 +5,7 @@
 use super::levenberg_marquardt::{Iterate, LevenbergMarquardt};
 use super::options::SearchOptions;
 use super::{turn, turned_over};
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
 use crate::numbers::random::Random;
 use crate::system::scaled::{Measures, Model};
 

@@ -1,6 +1,6 @@
 //! Sets driven angles first: a row in which only one angle is unknown determines this angle.
 
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
 use crate::system::scaled::Model;
 
 /// Smaller differences of angles are left to the search. \[rad\]

@@ -3,8 +3,8 @@
 //! Kin turns over one body of the joint, and then solves C = 0 again.
 
 use super::search::{Found, descend};
-use crate::model::coordinates::Target;
-use crate::model::layout::Place;
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
 use crate::numbers::algebra::EulerParameters;
 use crate::system::scaled::Model;
 

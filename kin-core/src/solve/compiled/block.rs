@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::curve::{Curves, at};
 use super::holds::Sums;
-use crate::model::error::Result;
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
 use crate::numbers::lanes::{Level, whole};
+use crate::outcome::error::Result;
 use crate::program::times::{Curve, Limits, ORDERS, Times};
 use crate::program::{Case, Tape};
 use crate::solve::follow::{REACH, misses_too_far};

@@ -5,8 +5,8 @@
 use std::sync::Arc;
 
 use super::{Computing, Wanted, can_be, refused, wanted};
-use crate::model::error::Result;
 use crate::numbers::lanes::Lanes;
+use crate::outcome::error::Result;
 use crate::program::{Differences, NO_LANES, Pose, Refusal, Tape, program_of_cases, schedule};
 use crate::solve::motion::Motion;
 use crate::solve::options::{Engine, SolverOptions};

@@ -4,7 +4,7 @@
 use std::fmt;
 
 use super::{can_be, programs, refused};
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::newton::{Newton, first_position};
 use crate::solve::options::SolverOptions;
 use crate::system::System;

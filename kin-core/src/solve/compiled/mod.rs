@@ -18,10 +18,10 @@ mod programs;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
 use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 use crate::program::{Case, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
 use crate::solve::first_run;
 use crate::solve::motion::Motion;

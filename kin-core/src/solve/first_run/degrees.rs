@@ -12,14 +12,14 @@ use std::f64::consts::{PI, TAU};
 use std::ops::RangeInclusive;
 
 use super::laws::{self, Role};
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
+use crate::coordinates::units::Unit;
+use crate::law::Law;
 use crate::model::constraint::Constraint;
-use crate::model::coordinates::Target;
-use crate::model::error::surface::Surface;
-use crate::model::law::Law;
-use crate::model::layout::Place;
-use crate::model::motion::warning::MOST;
-use crate::model::motion::{Warning, WarningKind};
-use crate::model::units::Unit;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::motion::warning::MOST;
+use crate::outcome::motion::{Warning, WarningKind};
 use crate::system::System;
 use crate::system::evaluate::Instant;
 

@@ -1,6 +1,6 @@
 //! Finds the numbers of a law that are angles or angular velocities, if the law is an angle.
 
-use crate::model::law::Law;
+use crate::law::Law;
 
 /// The meaning of a number of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,7 +75,7 @@ fn role(name: &str) -> Option<Role> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::model::law::Ends;
+    use crate::law::Ends;
 
     fn roles(law: &Law) -> Vec<(String, Role, f64)> {
         let mut all = Vec::new();

@@ -9,11 +9,11 @@ mod near_singular;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use crate::model::coordinates::Target;
-use crate::model::error::Result;
-use crate::model::error::surface::Surface;
-use crate::model::motion::warning::{MOST, is_usual, shown};
-use crate::model::motion::{Warning, WarningKind};
+use crate::coordinates::Target;
+use crate::outcome::error::Result;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::motion::warning::{MOST, is_usual, shown};
+use crate::outcome::motion::{Warning, WarningKind};
 use crate::solve::motion::Motion;
 use crate::system::System;
 

@@ -1,7 +1,7 @@
 //! Finds runs that begin at or near a singular position and still continue.
 
-use crate::model::motion::{Warning, WarningKind};
-use crate::model::words::{at, list};
+use crate::outcome::motion::{Warning, WarningKind};
+use crate::outcome::words::{at, list};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use crate::system::singular::{Singular, singular_within};

@@ -13,7 +13,7 @@ use nalgebra::{Matrix2, SymmetricEigen, Vector2};
 
 use super::curve::{Curve, CurvePoint};
 use crate::linear::Linear;
-use crate::model::motion::Branch;
+use crate::outcome::motion::Branch;
 use crate::system::scaled::Model;
 
 /// The largest number of Newton steps towards the critical point.

@@ -10,7 +10,7 @@
 //! that are linear along the error, such as the equations of a chain in its lengths.
 
 use super::drive::{Drive, Lever, Span};
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::newton::Newton;
 use crate::system::System;

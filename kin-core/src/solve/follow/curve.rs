@@ -245,7 +245,7 @@ mod tests {
         m.build().expect("builds")
     }
 
-    fn of_one(add: impl FnOnce(&mut Mechanism, crate::model::coordinates::Coordinate)) -> System {
+    fn of_one(add: impl FnOnce(&mut Mechanism, crate::coordinates::Coordinate)) -> System {
         let mut m = Mechanism::new("one");
         let x = m.length("x", 1.0).expect("a new name");
         add(&mut m, x);

@@ -19,7 +19,7 @@ mod root;
 mod singular;
 mod turning;
 
-pub use crate::model::motion::{Branch, SingularKind, SingularPosition};
+pub use crate::outcome::motion::{Branch, SingularKind, SingularPosition};
 pub(crate) use branching::crossing_between;
 pub(crate) use check::{Check, Objection, REACH, misses_too_far, turns_too_far};
 pub(crate) use curve::{Curve, CurvePoint};

@@ -4,7 +4,7 @@ use super::branching::{self, Branching};
 use super::curve::{Curve, CurvePoint};
 use super::singular::{self, Scales};
 use super::turning;
-use crate::model::motion::{Branch, SingularKind, SingularPosition};
+use crate::outcome::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;
 
 /// The largest number of steps along the curve.

@@ -1,6 +1,6 @@
 //! Describes the singular positions of a motion for its report.
 
-use crate::model::motion::{Branch, SingularKind, SingularPosition};
+use crate::outcome::motion::{Branch, SingularKind, SingularPosition};
 use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::singular::{self, Singular};

@@ -5,7 +5,7 @@ use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::{MARKS, Motion};
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 
 /// Calls `write` to write a file, and creates missing folders.
 ///

@@ -3,7 +3,7 @@
 use num_dual::{Dual3_64, DualNum};
 
 use super::{Body, Motion, PointMotion, Quantity, Vector};
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 
 impl Motion {
     /// Returns the distance |r_P − r_Q| of two points over time, with its derivatives. \[m\]

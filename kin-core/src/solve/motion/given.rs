@@ -1,7 +1,7 @@
 //! Creates motions from states that were measured, or that another program computed.
 
 use super::Motion;
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::newton::Outcome;
 use crate::system::System;
 

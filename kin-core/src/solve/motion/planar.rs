@@ -4,10 +4,10 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::{Motion, Quantity};
-use crate::model::coordinates::{Link, PlanarBody, Target};
-use crate::model::error::Result;
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
+use crate::coordinates::{Link, PlanarBody, Target};
 use crate::numbers::algebra::Vec2;
+use crate::outcome::error::Result;
 
 /// Angular velocities below this share of the largest one of the motion are rounding and count as
 /// zero. \[-\]

@@ -3,13 +3,13 @@
 use std::ops::Range;
 
 use super::{MARKS, Motion, Quantity, Series};
+use crate::coordinates::Target;
+use crate::coordinates::layout::Place;
+use crate::coordinates::units::Unit;
+use crate::coordinates::units::Units;
 use crate::model::body::{Body, Course, Vector};
-use crate::model::coordinates::Target;
-use crate::model::error::{Error, Result};
-use crate::model::layout::Place;
 use crate::model::mechanism::Marker;
-use crate::model::units::Unit;
-use crate::model::units::Units;
+use crate::outcome::error::{Error, Result};
 
 /// The position, velocity and acceleration of a point of a body at each time, with its jerk if the
 /// run computed it.

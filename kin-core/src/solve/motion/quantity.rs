@@ -1,8 +1,8 @@
 //! Stores one quantity over time with its derivatives.
 
 use super::{Motion, Series};
-use crate::model::error::{Error, Result};
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
+use crate::outcome::error::{Error, Result};
 
 /// One quantity over time with its derivatives: a coordinate, the angle of a joint, a slide.
 #[derive(Clone, Debug, PartialEq)]

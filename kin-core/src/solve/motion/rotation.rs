@@ -1,12 +1,12 @@
 //! Computes the angular velocity and acceleration of spatial bodies over time.
 
 use super::{Motion, Series};
-use crate::model::coordinates::{SpatialBody, Target};
-use crate::model::error::Result;
+use crate::coordinates::units::Unit;
+use crate::coordinates::units::Units;
+use crate::coordinates::{SpatialBody, Target};
 use crate::model::state::SpatialState;
-use crate::model::units::Unit;
-use crate::model::units::Units;
 use crate::numbers::algebra::Vec3;
+use crate::outcome::error::Result;
 
 /// The angular velocity ω and acceleration α of a spatial body at each time, and α̇ if the run
 /// computed the jerk.

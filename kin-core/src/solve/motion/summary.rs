@@ -4,12 +4,12 @@
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use super::Motion;
-use crate::model::error::surface::Surface;
-use crate::model::layout::{Item, Kind};
-use crate::model::motion::warning::{is_usual, shown};
-use crate::model::motion::{Warning, WarningKind};
-use crate::model::words::{count, number};
+use crate::coordinates::layout::{Item, Kind};
 use crate::numbers::algebra::{EulerParameters, Vec3};
+use crate::outcome::error::surface::Surface;
+use crate::outcome::motion::warning::{is_usual, shown};
+use crate::outcome::motion::{Warning, WarningKind};
+use crate::outcome::words::{count, number};
 
 /// The largest number of bodies in a summary.
 const SHOWN: usize = 4;

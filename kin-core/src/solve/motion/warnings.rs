@@ -1,8 +1,8 @@
 //! Collects the warnings of a motion.
 
 use super::Motion;
-use crate::model::motion::warning::MOST;
-use crate::model::motion::{Warning, WarningKind};
+use crate::outcome::motion::warning::MOST;
+use crate::outcome::motion::{Warning, WarningKind};
 
 impl Motion {
     /// Returns the warnings of the motion: common mistakes with which a run still succeeds.

@@ -4,7 +4,7 @@
 //! in small steps.
 
 use super::{Newton, TURN};
-use crate::model::units::Unit;
+use crate::coordinates::units::Unit;
 
 /// The largest number of rounds in which rows that are nonlinear in their angles are excluded.
 const ROUNDS: usize = 64;

@@ -15,7 +15,7 @@
 //! nearer to preferred values.
 
 use super::{Failure, Newton, Outcome, Steps, driven};
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::assembly::{self, search, turned_over};
 use crate::solve::options::Follow;
 use crate::system::scale;

@@ -330,7 +330,7 @@ impl<'a> Newton<'a> {
         let turns = dq
             .iter()
             .zip(units)
-            .filter(|(_, unit)| **unit != crate::model::units::Unit::Metre)
+            .filter(|(_, unit)| **unit != crate::coordinates::units::Unit::Metre)
             .map(|(dq, _)| dq.abs());
         let mut lambda = (TURN / largest(turns)).min(1.0);
         let merit = self.merit();

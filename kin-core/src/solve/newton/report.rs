@@ -2,7 +2,7 @@
 //! solution.
 
 use super::{Failure, Newton, Outcome};
-use crate::model::error::Error;
+use crate::outcome::error::Error;
 use crate::system::{Report, Solution};
 
 /// A position with a smallest pivot above this value is not called singular, whatever stopped

@@ -3,8 +3,8 @@
 use super::Position;
 use super::errors::unmet;
 use super::solver::{Solver, scales};
-use crate::model::error::Result;
 use crate::numbers::padded::Padded;
+use crate::outcome::error::Result;
 use crate::solve::assembly::search::{self, Found};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::Drive;

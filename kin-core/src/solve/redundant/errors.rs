@@ -1,7 +1,7 @@
 //! Builds the errors of a mechanism with more equations than coordinates that cannot be solved at a
 //! time.
 
-use crate::model::error::Error;
+use crate::outcome::error::Error;
 use crate::system::System;
 
 /// Returns the error without a diagnosis: it names the equation with the largest residual.

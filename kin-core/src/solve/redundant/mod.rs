@@ -13,9 +13,9 @@ mod judged;
 mod rows;
 mod solver;
 
-use crate::model::error::{Error, Result};
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
 use crate::numbers::padded::{self, Padded};
+use crate::outcome::error::{Error, Result};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::{Drive, Objection};
 use crate::solve::motion::Motion;

@@ -2,7 +2,7 @@
 //! by least squares.
 
 use crate::linear::{Independent, LeastSquares};
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::explain::{Explain, Start};
 use crate::solve::options::SolverOptions;
 use crate::system::System;

@@ -4,9 +4,9 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::model::error::Error;
-use crate::model::law::{Break, Law, MOST_BREAKS};
-use crate::model::motion::CrossedBreak;
+use crate::law::{Break, Law, MOST_BREAKS};
+use crate::outcome::error::Error;
+use crate::outcome::motion::CrossedBreak;
 use crate::system::System;
 use crate::system::evaluate::Instant;
 

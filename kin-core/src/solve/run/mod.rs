@@ -3,7 +3,7 @@
 mod law_breaks;
 pub(crate) mod times;
 
-use crate::model::error::{Error, Result};
+use crate::outcome::error::{Error, Result};
 use crate::solve::explain::Explain;
 use crate::solve::motion::Motion;
 use crate::solve::options::SolverOptions;

@@ -1,7 +1,7 @@
 //! Checks the times of a run.
 
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 
 /// Checks that the times are finite and strictly increasing or strictly decreasing.
 pub(crate) fn check(times: &[f64]) -> Result<()> {

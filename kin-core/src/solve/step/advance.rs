@@ -4,9 +4,9 @@
 //! The step-by-step solver and redundant mechanisms share this loop. Compiled programs make only
 //! whole steps. If a whole step of a program fails, this loop continues.
 
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 use crate::solve::newton::Outcome;
 use crate::solve::options::resolution;
 

@@ -3,9 +3,9 @@
 
 use super::advance::{Asked, SHORTEST};
 use super::stepper::{SHORT, Stepper, Trouble};
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 use crate::solve::follow::{
     self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition,
 };

@@ -1,7 +1,7 @@
 //! Continues with the step-by-step solver after a compiled program.
 
 use super::stepper::Stepper;
-use crate::model::error::Result;
+use crate::outcome::error::Result;
 use crate::solve::follow::Span;
 use crate::solve::motion::Motion;
 use crate::solve::newton::{Newton, Steps, first_position};

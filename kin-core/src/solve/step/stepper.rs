@@ -3,9 +3,9 @@
 
 use super::advance::{Asked, Effort, Stepping, advance};
 use super::predictor::{Last, Predictor};
-use crate::model::error::Result;
-use crate::model::units::Units;
+use crate::coordinates::units::Units;
 use crate::numbers::padded::{self, Padded};
+use crate::outcome::error::Result;
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::solve::newton::{Failure, Newton, Outcome, Steps, first_position, largest};
 use crate::solve::options::{Follow, SolverOptions};

@@ -1,8 +1,8 @@
 //! Finds the expression that caused a value which is not finite, with the names of the mechanism.
 
 use super::Block;
+use crate::coordinates::layout::Layout;
 use crate::model::blame::{Asked, Blame, Culprit, Found, Input, Term};
-use crate::model::layout::Layout;
 use crate::model::state::{At, Rates};
 
 impl Culprit {

@@ -6,8 +6,8 @@ use std::sync::OnceLock;
 use super::block::Span;
 use super::linear::LinearRows;
 use super::{Asked, Block, Equations, Instant, Straight};
+use crate::coordinates::layout::{Layout, Place};
 use crate::model::constraint::{Constraint, Entry, Route};
-use crate::model::layout::{Layout, Place};
 use crate::system::states::{Planned, StatePlan};
 
 impl Equations {

@@ -1,9 +1,9 @@
 //! Names the rows of a system in errors.
 
 use super::{Bad, Block, Equations, Instant};
+use crate::coordinates::layout::Layout;
 use crate::model::blame::{Culprit, Term};
-use crate::model::error::Error;
-use crate::model::layout::Layout;
+use crate::outcome::error::Error;
 
 impl Equations {
     /// Returns the constraint of a global row, and its local row.

@@ -2,9 +2,9 @@
 
 use super::linear::Side;
 use super::{Block, Equations, Instant};
-use crate::model::error::Error;
-use crate::model::error::surface::Surface;
 use crate::model::state::At;
+use crate::outcome::error::Error;
+use crate::outcome::error::surface::Surface;
 
 impl Equations {
     /// Evaluates −C_t and does not check whether it is finite.

@@ -1,6 +1,6 @@
 //! Finds the smallest change that makes a mechanism exactly constrained.
 
-use crate::model::verdict::{Change, Class, Dependency, Freedom, Gap};
+use crate::outcome::verdict::{Change, Class, Dependency, Freedom, Gap};
 
 use super::super::examined::Examined;
 use super::super::order;

@@ -1,8 +1,8 @@
 //! Derives the dimensions that a designer uses (lengths of bodies, points, numbers) from the
 //! parameters of constraints.
 
+use crate::coordinates::layout::Place;
 use crate::model::constraint::{Attached, Constraint};
-use crate::model::layout::Place;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::Model;
 

@@ -2,8 +2,8 @@
 
 use super::dimension::{Dimension, Of};
 use super::trial::{Trial, drivers};
+use crate::coordinates::units::Unit;
 use crate::linear::LeastSquares;
-use crate::model::units::Unit;
 use crate::solve::assembly::search::Found;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::{Measures, Model, Point};

@@ -7,8 +7,8 @@ use super::super::examined::Examined;
 use super::super::order;
 use super::dimension::{self, Of};
 use super::trial::Trial;
-use crate::model::layout::{Kind, Place};
-use crate::model::verdict::{Change, Freedom, How, Persistence, Resize, Size};
+use crate::coordinates::layout::{Kind, Place};
+use crate::outcome::verdict::{Change, Freedom, How, Persistence, Resize, Size};
 use crate::system::evaluate::Block;
 use crate::system::scaled::Model;
 

@@ -6,7 +6,7 @@ use super::super::order;
 use super::super::search_under_way::Search;
 use super::dimension::{self, Dimension, Of};
 use super::fit::{self, Fitted};
-use crate::model::verdict::{Resize, Size};
+use crate::outcome::verdict::{Resize, Size};
 use crate::solve::assembly::search::Found;
 
 /// The largest number of dimensions to try, and to report.

@@ -6,10 +6,10 @@
 use super::super::search_under_way::Search;
 use super::dimension::{self, PointAt};
 use super::trial::{Trial, drivers};
-use crate::model::layout::Kind;
+use crate::coordinates::layout::Kind;
 use crate::model::state::{PlanarState, SpatialState};
-use crate::model::verdict::{Change, GlobalPoint};
 use crate::numbers::algebra::{Vec2, Vec3};
+use crate::outcome::verdict::{Change, GlobalPoint};
 use crate::solve::assembly::search;
 use crate::system::evaluate::Equations;
 use crate::system::scaled::Model;

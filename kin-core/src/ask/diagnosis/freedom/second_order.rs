@@ -7,10 +7,10 @@
 //! · (C_q n)_q n definite in n, no direction remains: the structure is rigid, but shaky.
 
 use super::super::examined::Examined;
+use crate::coordinates::layout::Kind;
+use crate::coordinates::units::Unit;
 use crate::linear::dense;
-use crate::model::layout::Kind;
-use crate::model::units::Unit;
-use crate::model::verdict::Play;
+use crate::outcome::verdict::Play;
 
 /// Values below this are rounding; rows, coordinates and vectors are of order 1. \[-\]
 const FLAT: f64 = 1e-6;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use kin_graph::Node;
 
 use super::{MOST, SHORTEST, too_many};
-use crate::model::error::Result;
 use crate::model::formula::time as held;
 use crate::numbers::enclosure::{Interval, ONE, Series};
+use crate::outcome::error::Result;
 use crate::solve::motion::Motion;
 use crate::system::System;
 

@@ -5,11 +5,11 @@ use kin_graph::{Formula, Node, Number, evaluate};
 use crate::ask::proof::bounds::Bounds;
 use crate::ask::proof::bounds::Part;
 use crate::extend::RouteReason;
+use crate::law::{Law, LawFunction};
 use crate::model::constraint::{Entry, Facts, Parts, Written};
 use crate::model::formula::bounds::{Inputs, opaque, row, trusted};
 use crate::model::formula::time::{can_jump, over_time, signals, slopes};
 use crate::model::formula::{Given, Outside, Table, give_law, nothing_outside};
-use crate::model::law::{Law, LawFunction};
 use crate::model::state::{At, Rates};
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{ORDER, Series};
@@ -321,7 +321,7 @@ fn stepped(x: Coord, y: Coord) -> [f64; 2] {
 
 /// By hand, with a formula of one of its two rows.
 #[derive(Clone)]
-struct Half(crate::model::coordinates::Coordinate);
+struct Half(crate::coordinates::Coordinate);
 
 impl Constraint for Half {
     fn facts(&self) -> Facts<'_> {
@@ -334,13 +334,10 @@ impl Constraint for Half {
         FACTS
     }
 
-    fn arguments(&self) -> Vec<crate::model::coordinates::Argument> {
-        vec![crate::model::coordinates::Argument {
+    fn arguments(&self) -> Vec<crate::coordinates::Argument> {
+        vec![crate::coordinates::Argument {
             name: "x",
-            target: crate::model::coordinates::Target::Coord(
-                self.0,
-                crate::model::coordinates::Trig::Unused,
-            ),
+            target: crate::coordinates::Target::Coord(self.0, crate::coordinates::Trig::Unused),
         }]
     }
 

@@ -2,7 +2,7 @@
 
 use kin_graph::Function2;
 
-use crate::model::law::{Ends, Law};
+use crate::law::{Ends, Law};
 use crate::numbers::enclosure::interval::{Interval, ONE};
 use crate::numbers::enclosure::series::{ORDER, Series, Turns};
 

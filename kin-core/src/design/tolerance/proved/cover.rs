@@ -6,9 +6,9 @@ use std::rc::Rc;
 use super::super::source::Source;
 use super::equations::Equations;
 use super::sheet::{Fault, Sheet, sheet};
-use crate::model::error::{Error, Result};
-use crate::model::words::value;
 use crate::numbers::enclosure::interval::{Interval, down, up};
+use crate::outcome::error::{Error, Result};
+use crate::outcome::words::value;
 use crate::system::System;
 
 /// The largest number of boxes before the proof fails.

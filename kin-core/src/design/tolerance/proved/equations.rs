@@ -6,12 +6,12 @@ use kin_graph::{
 };
 
 use crate::ask::proof::{Bounds, Column, Entry, Part, Unknown};
-use crate::model::dimension::{Bound, Holder};
-use crate::model::error::{Error, Result};
+use crate::dimensions::{Bound, Holder};
 use crate::model::formula::Outside;
 use crate::model::formula::bounds::Inputs;
 use crate::numbers::enclosure::Series;
 use crate::numbers::enclosure::interval::{Interval, ONE, ZERO};
+use crate::outcome::error::{Error, Result};
 use crate::system::System;
 
 /// The number of coefficients of a series with values and slopes.

@@ -29,9 +29,9 @@ use super::super::feature::{Followed, Term, first};
 use super::source::Source;
 use super::text::digits;
 use crate::ask::measure::Measure;
-use crate::model::error::surface::Surface;
-use crate::model::error::{Error, Result};
 use crate::numbers::enclosure::interval::{Interval, ZERO, up};
+use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, Result};
 use cover::{Cover, Covered, Node};
 use equations::Equations;
 

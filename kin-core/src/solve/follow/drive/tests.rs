@@ -4,7 +4,7 @@ mod sampled;
 
 use super::*;
 use crate::joints::drivers::drive;
-use crate::model::law::LawFunction;
+use crate::law::LawFunction;
 use crate::{Law, Mechanism, System, constraint};
 
 fn bound(c: &[[f64; 2]], len: usize) -> Option<[f64; COEFFICIENTS]> {

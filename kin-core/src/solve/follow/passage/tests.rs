@@ -4,8 +4,8 @@
 mod together;
 
 use super::*;
-use crate::model::error::Error;
 use crate::model::mechanism::linspace;
+use crate::outcome::error::Error;
 use crate::solve::newton::Steps;
 use crate::solve::options::SolverOptions;
 use crate::{Mechanism, System, constraint};
@@ -26,7 +26,7 @@ fn crossing(x: Coord, t: Time) -> f64 {
 fn loops(
     count: usize,
     guess: f64,
-    add: impl Fn(&mut Mechanism, &str, crate::model::coordinates::Coordinate),
+    add: impl Fn(&mut Mechanism, &str, crate::coordinates::Coordinate),
 ) -> System {
     let mut m = Mechanism::new("loops");
     for k in 0..count {
@@ -133,7 +133,7 @@ fn walking<R>(
     f(Walk::new(&newton, &q, t, to, &|_| other).expect("is regular"))
 }
 
-fn one(add: impl Fn(&mut Mechanism, &str, crate::model::coordinates::Coordinate)) -> System {
+fn one(add: impl Fn(&mut Mechanism, &str, crate::coordinates::Coordinate)) -> System {
     loops(1, 0.5, add)
 }
 
