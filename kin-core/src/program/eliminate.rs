@@ -14,6 +14,7 @@ use kin_graph::{Graph, Node};
 use super::blocks::blocks;
 use super::cofactors::Cofactors;
 use super::reduce::over;
+use super::refusal::Obstacle;
 use super::substitute::Order;
 
 /// A pivot is at least this share of the largest entry in its row, at the guess. \[-\]
@@ -68,10 +69,6 @@ pub(super) struct Pivot {
     pub(super) upper: Vec<(usize, Node)>,
 }
 
-/// Why there is no elimination.
-pub(super) const SINGULAR: &str = "the equations are singular at the guess";
-pub(super) const TANGLED: &str = "too many coordinates depend on one another";
-
 impl<'a> Elimination<'a> {
     /// Chooses the elimination. `slopes` contains the entries of each row of the whole system as
     /// nodes. `numbers` returns the values of nodes at the guess, in units of order 1 by
@@ -82,7 +79,7 @@ impl<'a> Elimination<'a> {
         slopes: &[Vec<(usize, Node)>],
         sizes: &[f64],
         numbers: impl Fn(&Graph, &[Node]) -> Vec<f64>,
-    ) -> Result<Self, &'static str> {
+    ) -> Result<Self, Obstacle> {
         let mut all = Elimination {
             order,
             given: order
@@ -99,7 +96,7 @@ impl<'a> Elimination<'a> {
         all.take_given(graph)?;
         let pattern: Vec<Vec<usize>> =
             all.cells.iter().map(|cells| cells.keys().copied().collect()).collect();
-        for (rows, columns) in blocks(&pattern).ok_or(SINGULAR)? {
+        for (rows, columns) in blocks(&pattern).ok_or(Obstacle::SingularGuess)? {
             let block = all.block(graph, rows, columns, sizes, &numbers)?;
             all.blocks.push(block);
         }
@@ -108,7 +105,7 @@ impl<'a> Elimination<'a> {
 
     /// Subtracts the rows that determine a coordinate from the remaining rows, the last one first:
     /// then no other such row contains its coordinate.
-    fn take_given(&mut self, graph: &mut Graph) -> Result<(), &'static str> {
+    fn take_given(&mut self, graph: &mut Graph) -> Result<(), Obstacle> {
         let mut readers: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
         for (row, cells) in self.cells.iter().enumerate() {
             cells.keys().for_each(|column| readers.entry(*column).or_default().push(row));
@@ -139,7 +136,7 @@ impl<'a> Elimination<'a> {
                 }
             }
             if made > most {
-                return Err(TANGLED);
+                return Err(Obstacle::Tangled);
             }
         }
         Ok(())
@@ -153,7 +150,7 @@ impl<'a> Elimination<'a> {
         columns: Vec<usize>,
         sizes: &[f64],
         numbers: &impl Fn(&Graph, &[Node]) -> Vec<f64>,
-    ) -> Result<Block, &'static str> {
+    ) -> Result<Block, Obstacle> {
         let mut active: BTreeMap<usize, Cells> = BTreeMap::new();
         let own = |(column, _): &(&usize, &Node)| columns.contains(column);
         for &row in &rows {
@@ -166,7 +163,8 @@ impl<'a> Elimination<'a> {
         let most = if rows.len() <= Cofactors::MOST { Cofactors::MOST } else { LEFT };
         let mut left = columns;
         while active.len() > most {
-            let (row, column) = choose(graph, &active, sizes, numbers).ok_or(SINGULAR)?;
+            let (row, column) =
+                choose(graph, &active, sizes, numbers).ok_or(Obstacle::SingularGuess)?;
             left.retain(|known| *known != column);
             pivots.push(pivot(graph, &mut active, row, column));
         }

@@ -7,13 +7,13 @@ mod free;
 mod timed;
 
 use std::collections::HashMap;
-use std::fmt;
 use std::rc::Rc;
 
 use kin_graph::differentiate::Partial;
 use kin_graph::{Graph, Input, Node, Op};
 
-use super::kind::{FOREIGN, Kind, SELF, TIMED};
+use super::kind::{Kind, SELF, TIMED};
+use super::refusal::{Obstacle, Refusal};
 use crate::coordinates::layout::Place;
 use crate::law::Law;
 use crate::model::constraint::Constraint;
@@ -66,28 +66,6 @@ pub(crate) struct Row {
     pub third: Option<Node>,
 }
 
-/// The reason why there is no program.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Refusal {
-    /// The constraint; empty if the mechanism itself is the reason.
-    pub constraint: String,
-    pub reason: &'static str,
-}
-
-impl fmt::Display for Refusal {
-    /// Writes "`x` cannot be compiled: …".
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.constraint.as_str() {
-            "" => write!(f, "Kin cannot compile the mechanism: {}", self.reason),
-            name => write!(f, "Kin cannot compile `{name}`: {}", self.reason),
-        }
-    }
-}
-
-/// The reason why a constraint without a formula cannot be compiled.
-pub(crate) const UNREAD: &str = "Kin does not know the equation as a formula: Kin differentiates the constraint by dual numbers, or the constraint is hand-written";
-pub(crate) const ABROAD: &str = "one of the bodies belongs to another mechanism";
-
 /// Gathers the equations of a system, with or without the terms of the jerk. Returns an error with
 /// the name of an unreadable constraint. Numbers that differ from case to case become inputs.
 pub(crate) fn gather(
@@ -108,8 +86,7 @@ fn gathered(system: &System, mut whole: Whole) -> Result<Whole, Refusal> {
     for (number, block) in system.equations().blocks.iter().enumerate() {
         whole.free.enter(number);
         let rows = whole.rows_of(system, block.constraint.as_ref());
-        let refused = |reason| Refusal { constraint: block.name.clone(), reason };
-        whole.rows.extend(rows.map_err(refused)?);
+        whole.rows.extend(rows.map_err(|reason| Refusal::one(&block.name, reason))?);
     }
     Ok(whole)
 }
@@ -230,7 +207,7 @@ impl Whole {
         from: &Graph,
         nodes: &[Node],
         leaves: &Leaves<'_>,
-    ) -> Result<Vec<Node>, &'static str> {
+    ) -> Result<Vec<Node>, Obstacle> {
         let mut places = vec![Node::default(); from.len()];
         for &node in nodes {
             places[node.index()] = self.node(from, node, &places, leaves)?;
@@ -243,8 +220,8 @@ impl Whole {
         &mut self,
         system: &System,
         constraint: &dyn Constraint,
-    ) -> Result<Vec<Row>, &'static str> {
-        let columns = columns(system, constraint).ok_or(ABROAD)?;
+    ) -> Result<Vec<Row>, Obstacle> {
+        let columns = columns(system, constraint).ok_or(Obstacle::OtherMechanism)?;
         let done = constraint.formula(|table, parameters, outside| {
             let kind = self.kind(table, constraint.facts().rows.len())?;
             let mut nodes = kind.timed.clone();
@@ -257,7 +234,7 @@ impl Whole {
             let leaves = Leaves { columns: &columns, parameters, outside, timed, of_parameters };
             self.rows_of_kind(&kind, &leaves)
         });
-        done.unwrap_or(Err(UNREAD))
+        done.unwrap_or(Err(Obstacle::NoFormula))
     }
 
     /// Returns C of a constraint of one row at these nodes as coordinates.
@@ -265,11 +242,11 @@ impl Whole {
         &mut self,
         constraint: &dyn Constraint,
         coordinates: &[Node],
-    ) -> Result<Node, &'static str> {
+    ) -> Result<Node, Obstacle> {
         let columns: Vec<Column> = coordinates.iter().map(|node| Column::Node(*node)).collect();
         let done = constraint.formula(|table, parameters, outside| {
             let kind = self.kind(table, 1)?;
-            let row = kind.rows.first().ok_or(UNREAD)?.residual;
+            let row = kind.rows.first().ok_or(Obstacle::NoFormula)?.residual;
             let timed = timed(constraint, &kind.timed);
             let leaves = Leaves {
                 columns: &columns,
@@ -281,11 +258,11 @@ impl Whole {
             let places = self.copy(&kind.graph, &kind.graph.reachable(&[row]), &leaves)?;
             Ok(places[row.index()])
         });
-        done.unwrap_or(Err(UNREAD))
+        done.unwrap_or(Err(Obstacle::NoFormula))
     }
 
     /// Returns the kind of constraints with this formula, which is read once.
-    fn kind(&mut self, table: &Table, rows: usize) -> Result<Rc<Kind>, &'static str> {
+    fn kind(&mut self, table: &Table, rows: usize) -> Result<Rc<Kind>, Obstacle> {
         let key = std::ptr::from_ref(table) as usize;
         let kind = match self.kinds.get(&key) {
             Some(known) => known.clone(),
@@ -295,7 +272,7 @@ impl Whole {
         Ok(kind)
     }
 
-    fn rows_of_kind(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<Vec<Row>, &'static str> {
+    fn rows_of_kind(&mut self, kind: &Kind, leaves: &Leaves<'_>) -> Result<Vec<Row>, Obstacle> {
         let places = self.copy(&kind.graph, &kind.nodes, leaves)?;
         let mut rows = Vec::new();
         for row in &kind.rows {
@@ -336,22 +313,22 @@ impl Whole {
         node: Node,
         places: &[Node],
         leaves: &Leaves<'_>,
-    ) -> Result<Node, &'static str> {
+    ) -> Result<Node, Obstacle> {
         let of = |node: Node| places[node.index()];
         Ok(match from.op(node) {
             Op::Input(Input::State(k, _)) => match leaves.columns.get(k) {
                 Some(Column::Coordinate(j)) => self.coordinate(*j),
                 Some(Column::Fixed(value)) => self.graph.constant(*value),
                 Some(Column::Node(node)) => *node,
-                None => return Err(UNREAD),
+                None => return Err(Obstacle::NoFormula),
             },
             Op::Input(Input::Rate(k, part)) => match leaves.columns.get(k) {
                 Some(Column::Coordinate(j)) => self.moving(*j, Input::Rate(*j, part)),
                 Some(Column::Fixed(_)) => self.graph.zero(),
-                Some(Column::Node(_)) | None => return Err(UNREAD),
+                Some(Column::Node(_)) | None => return Err(Obstacle::NoFormula),
             },
             Op::Input(Input::Parameter(k)) => {
-                let value = *leaves.parameters.get(k).ok_or(UNREAD)?;
+                let value = *leaves.parameters.get(k).ok_or(Obstacle::NoFormula)?;
                 match self.free.parameter(k) {
                     Some(input) => self.graph.input(input),
                     None => self.graph.constant(value),
@@ -360,10 +337,10 @@ impl Whole {
             Op::Input(Input::Time) => self.graph.input(Input::Time),
             Op::Input(Input::TimeRate) => self.graph.constant(1.0),
             Op::Law(number, x, order) => {
-                let law = leaves.law(number).ok_or(UNREAD)?;
+                let law = leaves.law(number).ok_or(Obstacle::NoFormula)?;
                 match self.free.law(leaves.place(number), &law, &mut self.laws) {
                     Some(number) => self.graph.law(number, of(x), order),
-                    None => self.law_at(law, of(x), order).ok_or(UNREAD)?,
+                    None => self.law_at(law, of(x), order).ok_or(Obstacle::NoFormula)?,
                 }
             }
             Op::Opaque(number, component) => {
@@ -377,16 +354,17 @@ impl Whole {
                         self.graph.constant(value)
                     }
                     (None, Some(number)) => {
-                        let law = leaves.law(number).ok_or(FOREIGN)?;
+                        let law = leaves.law(number).ok_or(Obstacle::ForeignFunction)?;
                         let own = self.free.law(leaves.place(number), &law, &mut self.laws);
                         // The law is constant in time.
                         let never = self.graph.zero();
-                        own.map(|own| self.graph.law(own, never, 0)).ok_or(FOREIGN)?
+                        own.map(|own| self.graph.law(own, never, 0))
+                            .ok_or(Obstacle::ForeignFunction)?
                     }
-                    (None, None) => return Err(FOREIGN),
+                    (None, None) => return Err(Obstacle::ForeignFunction),
                 }
             }
-            op => self.graph.rebuilt(op, of).ok_or(UNREAD)?,
+            op => self.graph.rebuilt(op, of).ok_or(Obstacle::NoFormula)?,
         })
     }
 

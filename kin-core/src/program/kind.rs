@@ -8,6 +8,7 @@ use kin_graph::differentiate::{Jets, Partial};
 use kin_graph::schedule::looked_up;
 use kin_graph::{Column, Formula, Graph, Input, Node, Op, Part};
 
+use super::refusal::Obstacle;
 use crate::model::formula::sides::Choice;
 
 /// The part of a state or velocity that represents a coordinate. The second part represents the
@@ -55,15 +56,11 @@ pub(super) struct KindRow {
     pub third: Option<Node>,
 }
 
-/// Why an equation cannot be read as a graph.
-pub(crate) const FOREIGN: &str = "a function that only rustc can read depends on coordinates";
-const EMPTY: &str = "Kin does not know the equation as a formula";
-
 impl Kind {
     /// Differentiates the rows as they are written, with or without the terms of the jerk.
-    pub(super) fn of(formula: &Formula, rows: usize, jerk: bool) -> Result<Kind, &'static str> {
+    pub(super) fn of(formula: &Formula, rows: usize, jerk: bool) -> Result<Kind, Obstacle> {
         if formula.rows.len() != rows {
-            return Err(EMPTY);
+            return Err(Obstacle::NoEquation);
         }
         let mut graph = Graph::default();
         let mut places = vec![Node::default(); formula.graph.len()];
@@ -158,21 +155,23 @@ fn read(
     node: Node,
     places: &[Node],
     timed: &mut Vec<Node>,
-) -> Result<Node, &'static str> {
+) -> Result<Node, Obstacle> {
     let of = |node: Node| places[node.index()];
     Ok(match from.op(node) {
         Op::Input(Input::Column(k)) => to.input(Input::State(k, SELF)),
         Op::Input(input @ (Input::Time | Input::Parameter(_))) => to.input(input),
         Op::Law(law, x, order) => to.law(law, of(x), order),
         // The nearest f64, as in compiled kernels.
-        Op::Decimal(k) => {
-            from.decimals.get(k).map(|decimal| to.constant(decimal.nearest)).ok_or(EMPTY)?
-        }
+        Op::Decimal(k) => from
+            .decimals
+            .get(k)
+            .map(|decimal| to.constant(decimal.nearest))
+            .ok_or(Obstacle::NoEquation)?,
         Op::Opaque(number, component) => {
             let operands: Vec<Node> =
                 from.opaques[number].iter().map(|operand| of(*operand)).collect();
             if operands.iter().any(|operand| to.depends(*operand).on_q) {
-                return Err(FOREIGN);
+                return Err(Obstacle::ForeignFunction);
             }
             if operands.iter().any(|operand| to.depends(*operand).on_t) {
                 timed.push(node);
@@ -185,6 +184,6 @@ fn read(
             to.opaques[number] = operands;
             to.opaque(number, component)
         }
-        op => to.rebuilt(op, of).ok_or(EMPTY)?,
+        op => to.rebuilt(op, of).ok_or(Obstacle::NoEquation)?,
     })
 }

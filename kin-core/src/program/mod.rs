@@ -22,6 +22,7 @@ mod kind;
 #[cfg(test)]
 pub(crate) mod plant;
 mod reduce;
+mod refusal;
 mod stages;
 mod substitute;
 mod tape;
@@ -32,13 +33,12 @@ mod transposed;
 pub(crate) use along::{Asked, Guarded};
 pub(crate) use blocks::blocks;
 pub(crate) use eliminate::Elimination;
-pub(crate) use gather::{
-    ABROAD, Case, Column, Differences, Leaves, Refusal, Row, UNREAD, Whole, columns, gather_where,
-};
+pub(crate) use gather::{Case, Column, Differences, Leaves, Row, Whole, columns, gather_where};
 pub(crate) use kind::SELF;
 pub(crate) use reduce::Reduced;
+pub(crate) use refusal::{Obstacle, Refusal};
 #[cfg(test)]
 pub(crate) use stages::Program;
-pub(crate) use stages::{Pose, REDUNDANT, program, program_of_cases};
-pub(crate) use tape::{IntoRows, Masks, NO_LANES, Summed, Tape, alone, schedule, times};
+pub(crate) use stages::{Pose, program, program_of_cases};
+pub(crate) use tape::{IntoRows, Masks, Summed, Tape, alone, schedule, times};
 pub(crate) use transposed::take;

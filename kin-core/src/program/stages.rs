@@ -9,9 +9,10 @@ use kin_graph::differentiate::Partial;
 use kin_graph::{Function, Graph, Input, LeafUse, Node, Source, evaluate};
 
 use super::eliminate::Elimination;
-use super::gather::{Differences, Free, Refusal, Whole, gather};
+use super::gather::{Differences, Free, Whole, gather};
 use super::kind::{SECOND, SELF};
 use super::reduce::Reduced;
+use super::refusal::{Obstacle, Refusal};
 use super::substitute::{Order, substitute};
 use crate::law::Law;
 use crate::system::System;
@@ -68,9 +69,6 @@ pub(crate) struct Program {
     pub blocks: Vec<usize>,
 }
 
-/// The reason why a mechanism with redundant equations cannot be compiled.
-pub(crate) const REDUNDANT: &str = "the mechanism has more equations than coordinates";
-
 /// Makes the program of a system with its elimination chosen at a pose, with or without q⃛.
 pub(crate) fn program(system: &System, pose: Pose<'_>, jerk: bool) -> Result<Program, Refusal> {
     program_of_cases(system, pose, jerk, Differences::default())
@@ -84,9 +82,8 @@ pub(crate) fn program_of_cases(
     jerk: bool,
     differences: Differences,
 ) -> Result<Program, Refusal> {
-    let refused = |reason| Refusal { constraint: String::new(), reason };
     if system.n_equations() != system.n_coordinates() {
-        return Err(refused(REDUNDANT));
+        return Err(Refusal::whole(Obstacle::Redundant));
     }
     let mut whole = gather(system, jerk, differences)?;
     let slopes = slopes(&whole, pose);
@@ -94,7 +91,7 @@ pub(crate) fn program_of_cases(
     whole.sides.extend(undecided);
     let order = substitute(&mut whole, &slopes, pose.sizes);
     let (mut reduced, values) = Reduced::new(&whole, &order);
-    let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(refused)?;
+    let elimination = eliminated(&mut reduced, &whole, &order, pose).map_err(Refusal::whole)?;
     let mut program = finished(&whole, &order, (reduced, values), [&elimination; 4]);
     program.chosen =
         program.guards.iter().map(|own| numbers(&program.graph, own, &whole.at(pose))).collect();
@@ -107,7 +104,7 @@ pub(super) fn eliminated<'o>(
     whole: &Whole,
     order: &'o Order,
     pose: Pose<'_>,
-) -> Result<Elimination<'o>, &'static str> {
+) -> Result<Elimination<'o>, Obstacle> {
     let cells: Vec<Vec<(usize, Node)>> = whole
         .rows
         .iter()

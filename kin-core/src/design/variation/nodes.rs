@@ -6,7 +6,7 @@ use kin_graph::{Graph, Input, Node};
 use crate::design::along::Prepared;
 use crate::design::asked::{Asked, Hangs};
 use crate::design::equation::Equation;
-use crate::program::{ABROAD, Column, Leaves, Reduced, SELF, UNREAD, Whole, columns};
+use crate::program::{Column, Leaves, Obstacle, Reduced, SELF, Whole, columns};
 use crate::system::System;
 use crate::system::evaluate::Block;
 
@@ -29,7 +29,7 @@ pub(super) struct Gathered {
 
 impl Gathered {
     /// Gathers the requested nodes. Returns the reason if something cannot be compiled.
-    pub(super) fn of(prepared: &Prepared<'_>) -> Result<Self, &'static str> {
+    pub(super) fn of(prepared: &Prepared<'_>) -> Result<Self, Obstacle> {
         let system = prepared.system;
         let none = |count| vec![Vec::new(); count];
         let mut all = Gathered {
@@ -52,8 +52,9 @@ impl Gathered {
         system: &System,
         block: &Block,
         (equation, asked): (&Equation, &[&Asked]),
-    ) -> Result<(), &'static str> {
-        let mut columns = columns(system, block.constraint.as_ref()).ok_or(ABROAD)?;
+    ) -> Result<(), Obstacle> {
+        let mut columns =
+            columns(system, block.constraint.as_ref()).ok_or(Obstacle::OtherMechanism)?;
         let whole = &mut self.whole;
         let first = block.rows().start;
         let done = block.constraint.formula(|_, parameters, outside| {
@@ -91,7 +92,7 @@ impl Gathered {
                                 }
                                 let by = whole
                                     .law_at(by.clone(), of(call.x), call.order)
-                                    .ok_or(UNREAD)?;
+                                    .ok_or(Obstacle::NoFormula)?;
                                 let slope = whole.graph.mul(of(*slope), by);
                                 let slope = whole.graph.mul(factor, slope);
                                 sum(&mut whole.graph, &mut self.by_p[asked.name], row, slope);
@@ -102,7 +103,7 @@ impl Gathered {
             }
             Ok(())
         });
-        done.unwrap_or(Err(UNREAD))
+        done.unwrap_or(Err(Obstacle::NoFormula))
     }
 }
 

@@ -10,14 +10,8 @@ use crate::law::Law;
 use crate::model::constraint::Constraint;
 use crate::model::loads::{ForceAlong, OnBody};
 use crate::numbers::algebra::Vec3;
-use crate::program::{Refusal, Row, SELF, UNREAD, Whole};
+use crate::program::{Obstacle, Refusal, Row, SELF, Whole};
 use crate::system::System;
-
-const CLOSURE: &str =
-    "the force is a closure, which Kin cannot read. Write the force as a function";
-
-const MEASURE: &str =
-    "the load acts along a measure of a joint, which Kin evaluates at one time after the other";
 
 /// The generalised forces, energies and powers as nodes of the whole program.
 pub(super) struct Acts<'w> {
@@ -51,16 +45,15 @@ impl<'w> Acts<'w> {
             let Some(count) = coordinates(item.kind) else { continue };
             acts.body(solid, system.loads.gravity, item.first, count);
         }
-        let refused = |name: &str| {
-            let constraint = name.to_string();
-            move |reason| Refusal { constraint, reason }
-        };
         for (name, point, mass) in &system.loads.points {
-            let rows = acts.whole.rows_of(system, point.as_ref()).map_err(refused(name))?;
+            let rows = acts
+                .whole
+                .rows_of(system, point.as_ref())
+                .map_err(|reason| Refusal::one(name, reason))?;
             acts.point(&rows, *mass, system.loads.gravity);
         }
         for (name, load) in loads {
-            acts.load(system, load).map_err(refused(name))?;
+            acts.load(system, load).map_err(|reason| Refusal::one(name, reason))?;
         }
         Ok(acts)
     }
@@ -130,7 +123,7 @@ impl<'w> Acts<'w> {
     }
 
     /// Adds a load; its parts are summed for each coordinate.
-    fn load(&mut self, system: &System, load: &Laid<'_>) -> Result<(), &'static str> {
+    fn load(&mut self, system: &System, load: &Laid<'_>) -> Result<(), Obstacle> {
         let zero = self.graph().zero();
         let mut own = vec![zero; self.whole.n];
         for part in &load.parts {
@@ -154,7 +147,7 @@ impl<'w> Acts<'w> {
                     let of = [self.whole.coordinate(*column), rate];
                     vec![(*column, self.along_force(force, of)?)]
                 }
-                Part::Along(Way::Measure(_), _) => return Err(MEASURE),
+                Part::Along(Way::Measure(_), _) => return Err(Obstacle::LoadOnMeasure),
                 Part::OnBody { on, first } => self.on_body(on, *first)?,
             };
             for (column, force) in forces {
@@ -171,18 +164,18 @@ impl<'w> Acts<'w> {
     }
 
     /// Returns the one row of an energy, of a length or of an angle.
-    fn row(&mut self, system: &System, constraint: &dyn Constraint) -> Result<Row, &'static str> {
-        self.whole.rows_of(system, constraint)?.into_iter().next().ok_or(UNREAD)
+    fn row(&mut self, system: &System, constraint: &dyn Constraint) -> Result<Row, Obstacle> {
+        self.whole.rows_of(system, constraint)?.into_iter().next().ok_or(Obstacle::NoFormula)
     }
 
     /// Returns f(x, ẋ, t).
-    fn along_force(&mut self, force: &ForceAlong, of: [Node; 2]) -> Result<Node, &'static str> {
-        let ForceAlong::Written(force) = force else { return Err(CLOSURE) };
+    fn along_force(&mut self, force: &ForceAlong, of: [Node; 2]) -> Result<Node, Obstacle> {
+        let ForceAlong::Written(force) = force else { return Err(Obstacle::Closure) };
         self.whole.value_of(force.as_ref(), &of)
     }
 
     /// Returns Q of a force at a point and a torque.
-    fn on_body(&mut self, on: &OnBody, first: usize) -> Result<Vec<(usize, Node)>, &'static str> {
+    fn on_body(&mut self, on: &OnBody, first: usize) -> Result<Vec<(usize, Node)>, Obstacle> {
         let orders = along_motion(self.whole, first, on.target.columns());
         let graph = &mut self.whole.graph;
         let frame = Frame::new(graph, orders.each_ref().map(Vec::as_slice));
@@ -190,9 +183,9 @@ impl<'w> Acts<'w> {
         let mut at = |laws: &[Law; 3]| {
             let mut nodes = [t; 3];
             for (node, law) in nodes.iter_mut().zip(laws) {
-                *node = self.whole.law_at(law.clone(), t, 0).ok_or(UNREAD)?;
+                *node = self.whole.law_at(law.clone(), t, 0).ok_or(Obstacle::NoFormula)?;
             }
-            Ok::<_, &'static str>(nodes)
+            Ok::<_, Obstacle>(nodes)
         };
         let force = at(&on.force)?;
         let torque = at(&on.torque)?;

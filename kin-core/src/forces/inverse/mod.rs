@@ -23,17 +23,13 @@ use kin_graph::{Graph, Node};
 
 use super::acting::Laid;
 use super::balance::Powers;
-use crate::program::{Guarded, IntoRows, NO_LANES, REDUNDANT, Refusal, Whole, gather_where};
+use crate::program::{Guarded, IntoRows, Obstacle, Refusal, Whole, gather_where};
 use crate::solve::motion::Motion;
 use crate::system::System;
 use acting::Acts;
 
 /// The number of times from which compiling saves more than it costs.
 const LEAST: usize = 50;
-
-const RUBS: &str =
-    "Kin solves friction and the force that causes the friction together at each time";
-const SINGULAR: &str = "the first position is singular";
 
 /// Returns true if a motion has enough times for a tape.
 pub(super) fn pays(motion: &Motion) -> bool {
@@ -48,12 +44,11 @@ pub(super) fn fill(
     loads: &[(&str, Laid<'_>)],
     (lambda, powers): (&mut [f64], &mut Powers),
 ) -> Result<Vec<usize>, Refusal> {
-    let whole = |reason| Refusal { constraint: String::new(), reason };
     let tape = cached(system, motion, loads)?;
     let rows = [(lambda, system.n_equations())].into_iter();
     let series = powers.of_tape().into_iter().map(|list| (list.as_mut_slice(), 1));
     let sink = IntoRows(rows.chain(series).collect());
-    tape.run(motion, &|_| None, sink).ok_or(whole(NO_LANES))
+    tape.run(motion, &|_| None, sink).ok_or(Refusal::whole(Obstacle::NoLanes))
 }
 
 /// Returns T and V of all times, or `None` if they have no tape, or if a number is not finite.
@@ -141,7 +136,7 @@ fn cached(
     motion: &Motion,
     loads: &[(&str, Laid<'_>)],
 ) -> Result<Arc<Guarded>, Refusal> {
-    let begin = Begin::of(system, motion).ok_or_else(|| refusal("", SINGULAR))?;
+    let begin = Begin::of(system, motion).ok_or_else(|| Refusal::whole(Obstacle::SingularStart))?;
     if let Some(known) = system.cache().get::<Cached>().filter(|known| known.begin == begin) {
         return known.tape.clone();
     }
@@ -152,10 +147,6 @@ fn cached(
 
 fn cache(system: &System, begin: Begin, tape: Result<Arc<Guarded>, Refusal>) {
     system.cache().put(Arc::new(Cached { begin, tape }));
-}
-
-fn refusal(constraint: &str, reason: &'static str) -> Refusal {
-    Refusal { constraint: constraint.to_string(), reason }
 }
 
 /// Makes the tape of a system: λ, and the list of [`Powers::of_tape`].
@@ -171,10 +162,10 @@ fn tape_with(
     spoil: impl FnOnce(&mut Graph, &mut [Node]),
 ) -> Result<Guarded, Refusal> {
     if system.is_redundant() || system.n_equations() != system.n_coordinates() {
-        return Err(refusal("", REDUNDANT));
+        return Err(Refusal::whole(Obstacle::Redundant));
     }
     if let Some((joint, _)) = system.loads.frictions.first() {
-        return Err(refusal(joint, RUBS));
+        return Err(Refusal::one(joint, Obstacle::Friction));
     }
     let q = begin.q();
     let held = |(still, x): (&bool, &f64)| still.then_some(*x);
@@ -192,7 +183,7 @@ fn tape_with(
             let drives = along(graph, &lambda, &by_time);
             lambda.into_iter().chain([rate, drives, loads, largest]).collect()
         });
-    made.ok_or(refusal("", SINGULAR))
+    made.ok_or(Refusal::whole(Obstacle::SingularStart))
 }
 
 /// Returns λ · C_t.

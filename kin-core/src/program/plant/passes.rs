@@ -6,8 +6,9 @@ use kin_graph::{Graph, Node};
 use crate::program::Differences;
 use crate::program::cofactors::Cofactors;
 use crate::program::eliminate::{Elimination, Pivot};
-use crate::program::gather::{Refusal, Whole, gather};
+use crate::program::gather::{Whole, gather};
 use crate::program::reduce::Reduced;
+use crate::program::refusal::Refusal;
 use crate::program::stages::{Pose, Program, eliminated, finished, slopes};
 use crate::program::substitute::{Explicit, Order, substitute};
 use crate::system::System;
@@ -79,7 +80,7 @@ pub(crate) fn with_fault(
     {
         [Ok(right), Ok(same)] => [right, same],
         [Err(reason), _] | [_, Err(reason)] => {
-            return Some(Err(Refusal { constraint: String::new(), reason }));
+            return Some(Err(Refusal::whole(reason)));
         }
     };
     if !matches!(pass, Pass::Gather | Pass::Substitute) {

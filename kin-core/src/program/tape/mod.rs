@@ -20,10 +20,6 @@ pub(crate) use straight::{IntoRows, OverTimes, Rows, Sink, Straight, Summed};
 
 use kin_graph::{Comparison, Function, Function2};
 
-/// The reason why no tape can run on this machine.
-pub(crate) const NO_LANES: &str =
-    "this machine has no registers (AVX-512, AVX2 with FMA, Neon) for several times at once";
-
 use crate::law::Law;
 use crate::program::gather::{Case, Free};
 use crate::system::System;

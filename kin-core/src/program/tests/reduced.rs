@@ -5,7 +5,7 @@ use kin_graph::{Node, evaluate};
 
 use super::at::At;
 use super::models::systems;
-use crate::program::gather::Refusal;
+use crate::program::refusal::Refusal;
 use crate::program::stages::{Pose, Program, program};
 use crate::system::scale;
 use crate::{SolverOptions, System, linspace};

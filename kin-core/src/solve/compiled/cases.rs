@@ -7,7 +7,7 @@ use std::sync::Arc;
 use super::{Computing, Wanted, can_be, refused, wanted};
 use crate::numbers::lanes::Lanes;
 use crate::outcome::error::Result;
-use crate::program::{Differences, NO_LANES, Pose, Refusal, Tape, program_of_cases, schedule};
+use crate::program::{Differences, Obstacle, Pose, Refusal, Tape, program_of_cases, schedule};
 use crate::solve::motion::Motion;
 use crate::solve::options::{Engine, SolverOptions};
 use crate::solve::run::Run;
@@ -58,7 +58,7 @@ impl Cases {
         let pays = times.len() >= FEWEST || options.engine == Engine::Compiled;
         let (wanted, plain) = wanted(system, count.saturating_mul(times.len()), options)?;
         if wanted == Wanted::Plain || !pays || lanes == Lanes::Off {
-            return Ok(Cases { by: By::Steps(plain.map(Into::into)), lanes });
+            return Ok(Cases { by: By::Steps(plain.map(|why| why.to_string().into())), lanes });
         }
         let by = match varied.tape(options, lanes) {
             Ok(Some(tape)) => By::Program(Arc::new(tape)),
@@ -101,7 +101,7 @@ impl Varied<'_> {
     ) -> std::result::Result<Option<Tape>, Refusal> {
         can_be(self.system)?;
         if !lanes.are_there() {
-            return Err(Refusal { constraint: String::new(), reason: NO_LANES });
+            return Err(Refusal::whole(Obstacle::NoLanes));
         }
         let mut typical = self.system.clone();
         for case in 0..=self.count.min(TRIED) {

@@ -22,7 +22,7 @@ use crate::model::formula::Table;
 use crate::numbers::lanes::{Lanes, Level, WithLevel};
 use crate::outcome::error::surface::Surface;
 use crate::outcome::error::{Error, Result};
-use crate::program::{Case, NO_LANES, REDUNDANT, Refusal, Tape, UNREAD};
+use crate::program::{Case, Obstacle, Refusal, Tape};
 use crate::solve::first_run;
 use crate::solve::motion::Motion;
 use crate::solve::options::{Engine, SolverOptions, Stop};
@@ -47,11 +47,11 @@ const FEWEST: usize = 32;
 /// Returns a known obstacle to a program, before a pose exists.
 pub(crate) fn can_be(system: &System) -> std::result::Result<(), Refusal> {
     if system.n_equations() != system.n_coordinates() {
-        return Err(Refusal { constraint: String::new(), reason: REDUNDANT });
+        return Err(Refusal::whole(Obstacle::Redundant));
     }
     let mut blocks = system.equations().blocks.iter();
     match blocks.find(|block| block.constraint.formula(|_, _, _| ()).is_none()) {
-        Some(block) => Err(Refusal { constraint: block.name.clone(), reason: UNREAD }),
+        Some(block) => Err(Refusal::one(&block.name, Obstacle::NoFormula)),
         None => Ok(()),
     }
 }
@@ -87,7 +87,7 @@ impl Computing {
             begun: false,
             in_parts: false,
             tape: None,
-            plain: plain.map(Into::into),
+            plain: plain.map(|why| why.to_string().into()),
         })
     }
 
@@ -132,7 +132,7 @@ impl Computing {
         if self.wanted == Wanted::Plain {
             return Ok(());
         }
-        let missing = || Err(Refusal { constraint: String::new(), reason: NO_LANES });
+        let missing = || Err(Refusal::whole(Obstacle::NoLanes));
         let here = if self.lanes.are_there() { can_be(run.system()) } else { missing() };
         let made = match here {
             Ok(()) => {
@@ -213,9 +213,8 @@ fn wanted(
     system: &System,
     times: usize,
     options: &SolverOptions,
-) -> Result<(Wanted, Option<&'static str>)> {
-    let stands_in_the_way =
-        (!options.predict).then_some("compiled runs always predict the next position");
+) -> Result<(Wanted, Option<Obstacle>)> {
+    let stands_in_the_way = (!options.predict).then_some(Obstacle::NoPrediction);
     match (options.engine, stands_in_the_way) {
         (Engine::StepByStep, _) => Ok((Wanted::Plain, None)),
         (Engine::Compiled, None) => Ok((Wanted::Compiled, None)),
@@ -228,7 +227,7 @@ fn wanted(
         (Engine::Auto, _) if !pays(system, times, options) => Ok((Wanted::Plain, None)),
         // The protocol of published comparisons is that of single steps.
         (Engine::Auto, None) if matches!(options.stop, Stop::ResidualOnly(_)) => {
-            Ok((Wanted::Plain, Some("only the step-by-step solver can stop by the residual alone")))
+            Ok((Wanted::Plain, Some(Obstacle::ResidualStop)))
         }
         (Engine::Auto, None) => Ok((Wanted::Tried, None)),
         (Engine::Auto, reason) => Ok((Wanted::Plain, reason)),
