@@ -55,6 +55,8 @@ mod guide {
         Constraints "../docs/guide/constraints.md";
         ConstraintByHand "../docs/guide/constraint-by-hand.md";
         Motions "../docs/guide/motions.md";
+        Positions "../docs/guide/positions.md";
+        Dragging "../docs/guide/dragging.md";
         DeadCentres "../docs/guide/dead-centres.md";
         LongRuns "../docs/guide/long-runs.md";
         Proofs "../docs/guide/proofs.md";

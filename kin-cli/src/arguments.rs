@@ -3,7 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-use crate::points::{NamedPoint, Setting, Shard};
+use crate::points::{NamedPoint, Pull, Setting, Shard};
 use crate::say::Format;
 use crate::times::{self, Times};
 
@@ -37,6 +37,8 @@ pub enum Command {
     Assemblies(Assemblies),
     /// The position at given values of the drivers, on the branch of the assembled position
     Pose(Pose),
+    /// The position with the drivers released, moved by wishes: points, values of measures
+    Drag(Drag),
     /// All positions that are reached while one driver moves, past dead centres, by arc length
     Circuit(Circuit),
     /// A measure of a joint or a coordinate over time, as CSV, and its extremes
@@ -217,6 +219,33 @@ pub struct Pose {
     pub svg: Option<String>,
     #[command(flatten)]
     pub misfit: AllowedMisfit,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Drag {
+    #[command(flatten)]
+    pub model: Model,
+    /// Moves a point of a body to a target, or as near to it as the mechanism can follow
+    #[arg(long = "point", value_name = "BODY:X,Y=X,Y")]
+    pub points: Vec<Pull>,
+    /// Moves a measure or a coordinate to a value; points come first
+    #[arg(long = "wish", value_name = "NAME=VALUE", allow_hyphen_values = true)]
+    pub wishes: Vec<Setting>,
+    /// Keeps the present value of a measure or a coordinate; points and wishes come first
+    #[arg(long = "hold", value_name = "NAME")]
+    pub holds: Vec<String>,
+    /// The time at which the mechanism is assembled before its drivers are released   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
+    /// The file for the table of wishes, coordinates and measures; `-` means standard output
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+    /// The same as JSON, with the freedoms that are left
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
+    /// The position as SVG
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<String>,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -49,6 +49,35 @@ impl FromStr for Setting {
     }
 }
 
+/// `BODY:X,Y=X,Y` or `BODY:X,Y,Z=X,Y,Z`: a point that is fixed in a body, and its target.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pull {
+    pub body: String,
+    pub local: Vec<f64>,
+    pub target: Vec<f64>,
+}
+
+impl FromStr for Pull {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form =
+            "write BODY:X,Y=X,Y, such as coupler:0.2,0.1=1.5,0.8; a point in space needs Z too";
+        let (point, target) = text.rsplit_once('=').ok_or(form)?;
+        let (body, local) = point.rsplit_once(':').ok_or(form)?;
+        let numbers = |text: &str| -> Result<Vec<f64>, String> {
+            let found: Result<Vec<f64>, String> = text.split(',').map(number).collect();
+            found.map_err(|reason| format!("the point of `{body}`: {reason}"))
+        };
+        let local = numbers(local)?;
+        let target = numbers(target)?;
+        if body.is_empty() || local.len() != target.len() || !matches!(local.len(), 2 | 3) {
+            return Err(form.to_string());
+        }
+        Ok(Pull { body: body.to_string(), local, target })
+    }
+}
+
 /// `I/N`: the I-th of N parts, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shard {

@@ -90,6 +90,7 @@ pub mod mechanism {
 pub mod solver {
     pub use crate::ask::circuit::{Circuit, CircuitPoint};
     pub use crate::ask::follower::{Configuration, Follower};
+    pub use crate::ask::released::{Granted, Reached, Released, Wish};
     pub use crate::ask::solver::At;
     pub use crate::outcome::named_value::NamedValue;
     pub use crate::solve::assembly::{

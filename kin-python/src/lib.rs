@@ -19,6 +19,7 @@ mod motion;
 mod numbers;
 mod options;
 mod page;
+mod released;
 mod sweep;
 mod system;
 mod watch;
@@ -54,6 +55,8 @@ mod _native {
     use crate::motion::Motion;
     #[pymodule_export]
     use crate::page::page;
+    #[pymodule_export]
+    use crate::released::{ReachedPosition, Released, Wish, WishResult};
     #[pymodule_export]
     use crate::sweep::sweep;
     #[pymodule_export]

@@ -31,7 +31,7 @@ const ROOMS: [&str; 16] = [
 
 /// The rooms of `solve/`, folders and files, each of which may import from those before it and from
 /// its own. `motion` derives results from a motion; the types of a motion are in an earlier room.
-const ROOMS_OF_SOLVE: [&str; 15] = [
+const ROOMS_OF_SOLVE: [&str; 16] = [
     "setters",
     "assembly",
     "options",
@@ -47,6 +47,7 @@ const ROOMS_OF_SOLVE: [&str; 15] = [
     "whole_run",
     "sweep",
     "circuit",
+    "free",
 ];
 
 pub struct House {

@@ -423,8 +423,7 @@ fn the_checker_finds_what_is_wrong() {
 /// Every constructor of laws is in the table.
 #[test]
 fn the_table_is_complete() {
-    let mut open =
-        vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/law")];
+    let mut open = vec![std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("kin-core/src/law")];
     let names: Vec<&str> = all().iter().map(|line| line.name).collect();
     let mut missing = Vec::new();
     while let Some(path) = open.pop() {

@@ -2,6 +2,7 @@
 
 mod ask;
 mod circuit;
+mod drag;
 mod forces;
 mod import;
 mod pose;
@@ -11,6 +12,7 @@ mod sweep;
 
 pub use ask::{assemblies, check, diagnose, measure, prove, sensitivities, tolerance};
 pub use circuit::circuit;
+pub use drag::drag;
 pub use forces::forces;
 pub use import::import;
 pub use pose::pose;

@@ -390,6 +390,38 @@ fn a_pose_with_a_wrong_driver_names_the_known_ones() {
     assert!(told.contains("there is no driver `crank`") && told.contains("`motor`"), "{told}");
 }
 
+/// A point of a mechanism with its motor released is dragged; what cannot be met is said.
+#[test]
+fn a_point_is_dragged_with_the_motor_released() {
+    let m = example("04_four_bar");
+    let output = done(&[
+        "drag",
+        &m,
+        "--point",
+        "coupler:0.5,0.5=1.0,2.0",
+        "--json",
+        "-",
+        "--csv",
+        "/dev/null",
+    ]);
+    assert_eq!(code(&output), 0);
+    let said = words(&output);
+    assert!(said.contains("`coupler (0.5, 0.5)` is missed by"), "{said}");
+    let json: Value = serde_json::from_str(&String::from_utf8_lossy(&output.stdout)).expect("JSON");
+    assert_eq!(json["wishes"][0]["met"], false);
+    assert_eq!(json["freedoms"].as_array().map(Vec::len), Some(0));
+    let table = data(&["drag", &m, "--wish", "rocker.theta=1.9"]);
+    let row = table.lines().find_map(|line| line.strip_prefix("coordinate,rocker.theta,"));
+    let angle: f64 = row.and_then(|row| row.split(',').next()?.parse().ok()).expect("a number");
+    assert!((angle - 1.9).abs() < 1e-9, "{table}");
+    let refused = done(&["drag", &m]);
+    assert_eq!(code(&refused), 2);
+    assert!(words(&refused).contains("`crank.theta`"), "{}", words(&refused));
+    let unknown = done(&["drag", &m, "--point", "couple:0,0=1,1"]);
+    assert_eq!(code(&unknown), 2);
+    assert!(words(&unknown).contains("`coupler`"), "{}", words(&unknown));
+}
+
 /// The circuit of a crank that turns round: the rocker swings, the motor never turns back.
 #[test]
 fn a_circuit_is_written_by_arc_length() {

@@ -75,7 +75,7 @@ impl Mechanism {
         Ok(held)
     }
 
-    fn system(self) -> Result<System> {
+    pub(in crate::ask) fn system(self) -> Result<System> {
         let mut mechanism = self.settled()?;
         let spatial = mechanism
             .layout

@@ -10,4 +10,6 @@ pub mod follower;
 pub mod measure;
 pub mod proof;
 mod rates;
+pub(crate) mod released;
 pub(crate) mod solver;
+mod still;

@@ -11,7 +11,8 @@
 //!   with more.
 //! * `run`, `compiled`, `whole_run`: one time after the other, many times with the compiled
 //!   program, and a run with either engine.
-//! * `sweep`, `circuit`: many runs, and a curve of positions.
+//! * `sweep`, `circuit`, `free`: many runs, a curve of positions, and a surface of positions with the
+//!   way on it towards wishes.
 
 #[macro_use]
 mod setters;
@@ -22,6 +23,7 @@ pub(crate) mod compiled;
 pub(crate) mod explain;
 pub(crate) mod first_run;
 pub(crate) mod follow;
+pub(crate) mod free;
 pub mod motion;
 pub(crate) mod newton;
 pub mod options;

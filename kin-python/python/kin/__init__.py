@@ -81,6 +81,7 @@ from ._solid import Solid
 from ._states import Coord, Planar, Rate, Spatial, Time
 from ._sweeps import Batch, Rows, sweep
 from ._pictures import Page, Picture
+from ._released import Granted, Reached, Released, Wish
 from ._results import Assemblies, Assembly, Compiled, Proof, Solution, StepProof
 from ._system import System
 from ._vectors import Axis, EulerParameters, Mat2, Mat3, Vec2, Vec3, vec2, vec3
@@ -120,6 +121,7 @@ __all__ = [
     "Force",
     "Forces",
     "Friction",
+    "Granted",
     "Ground",
     "Growth",
     "Joint",
@@ -144,7 +146,9 @@ __all__ = [
     "Proved",
     "Quantity",
     "Rate",
+    "Reached",
     "Reaction",
+    "Released",
     "Rotation",
     "Rows",
     "Samples",
@@ -165,6 +169,7 @@ __all__ = [
     "Tolerance",
     "Vec2",
     "Vec3",
+    "Wish",
     "acos",
     "acosh",
     "asin",

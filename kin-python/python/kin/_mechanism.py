@@ -30,6 +30,7 @@ from ._mistakes import values
 from ._names import Named, unknown
 from ._motion import Motion
 from ._friction import Friction
+from ._released import Released
 from ._solid import Solid, in_space, inertia_of
 from ._system import System
 from ._values import axis_of, flat, items, law_of
@@ -411,6 +412,14 @@ class Mechanism:
         Raises `kin.Error` with the name of the cause.
         """
         return System(self._native.build(), self._native.to_json(), self._token)
+
+    def released(self, t: float = 0.0) -> Released:
+        """The mechanism with its drivers released, at the assembled position at time t. It may have fewer equations than coordinates, and moves
+        by wishes: `released.drag(hand, hand.end, (0.3, 0.6))`.
+
+        Raises `kin.Error` if no position satisfies the equations.
+        """
+        return Released(_native.Released.of_mechanism(self._native, t))
 
     def diagnose(self, t: float, q: Any = None) -> Diagnosis:
         """Diagnoses the mechanism: rank, dependencies and freedoms by name.

@@ -12,6 +12,7 @@ from ._diagnosis import Diagnosis
 from ._errors import Error
 from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _of
 from ._follower import Circuit, Follower
+from ._released import Released
 from ._forces import Forces
 from ._handles import Coordinate
 from ._mistakes import values
@@ -329,6 +330,14 @@ class System:
         Raises the errors of `position`, and one if no law of time drives the mechanism.
         """
         return Follower(_native.Follower(self._native, t, options or None), self._native)
+
+    def released(self, t: float = 0.0) -> Released:
+        """The mechanism with its drivers released, at the assembled position at time t. It moves by wishes: `released.drag(coupler, (0.2, 0.1),
+        (1.5, 0.8))`.
+
+        Raises the errors of `position`.
+        """
+        return Released(_native.Released.of_system(self._native, t))
 
     def circuit(self, input: str, points: int = 361) -> Circuit:
         """All positions that the mechanism reaches while the named driver moves, past dead centres: `points` of them, equally spaced by

@@ -23,7 +23,7 @@ mod freedom;
 mod gap;
 mod generic;
 mod nearest;
-mod order;
+pub(in crate::ask) mod order;
 mod rank;
 mod search_under_way;
 

@@ -34,7 +34,7 @@ pub(super) fn of_rows(model: &Model<'_>) -> Vec<usize> {
 /// Returns the columns in the order in which the report calls them free: angles, then lengths, then
 /// Euler parameters. Within each kind, bodies that a joint connects to the ground come first,
 /// because a motor is probable there; then names decide.
-pub(super) fn of_columns(model: &Model<'_>) -> Vec<usize> {
+pub(in crate::ask) fn of_columns(model: &Model<'_>) -> Vec<usize> {
     let class = |column: usize| match model.layout.units[column] {
         Unit::Radian => 0,
         Unit::Metre => 1,

@@ -19,7 +19,7 @@ impl System {
     }
 
     /// Returns the limits of the user and the ends of slots.
-    fn all_limits(&self) -> Vec<Limit> {
+    pub(in crate::ask) fn all_limits(&self) -> Vec<Limit> {
         let mut all = self.limits.clone();
         for (joint, constraint) in self.constraints() {
             for (k, measure) in constraint.facts().measures.iter().enumerate() {
