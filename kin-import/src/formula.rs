@@ -4,6 +4,10 @@
 use std::f64::consts::PI;
 
 use kin::Law;
+use kin_graph::text::{
+    self, Dialect, Infix, Language, Meaning, Mistake, Piece, Rust, Token, Tokens,
+};
+use kin_graph::{Function, Function2};
 use kin_text::LawText;
 
 /// Deeper formulas are refused.
@@ -17,30 +21,29 @@ pub enum Formula {
     Negative(Box<Formula>),
     /// `+ - * / ^`
     Two(char, Box<Formula>, Box<Formula>),
-    /// A method of f64 by its name.
-    Call(&'static str, Box<Formula>),
+    Call(Function, Box<Formula>),
 }
 
 /// Functions as the files write them, and as Kin does.
-const FUNCTIONS: [(&str, &str); 18] = [
-    ("sin", "sin"),
-    ("cos", "cos"),
-    ("tan", "tan"),
-    ("asin", "asin"),
-    ("arcsin", "asin"),
-    ("acos", "acos"),
-    ("arccos", "acos"),
-    ("atan", "atan"),
-    ("arctan", "atan"),
-    ("sinh", "sinh"),
-    ("cosh", "cosh"),
-    ("tanh", "tanh"),
-    ("exp", "exp"),
-    ("ln", "ln"),
-    ("log", "ln"),
-    ("log10", "log10"),
-    ("sqrt", "sqrt"),
-    ("abs", "abs"),
+const FUNCTIONS: [(&str, Function); 18] = [
+    ("sin", Function::Sin),
+    ("cos", Function::Cos),
+    ("tan", Function::Tan),
+    ("asin", Function::Asin),
+    ("arcsin", Function::Asin),
+    ("acos", Function::Acos),
+    ("arccos", Function::Acos),
+    ("atan", Function::Atan),
+    ("arctan", Function::Atan),
+    ("sinh", Function::Sinh),
+    ("cosh", Function::Cosh),
+    ("tanh", Function::Tanh),
+    ("exp", Function::Exp),
+    ("ln", Function::Ln),
+    ("log", Function::Ln),
+    ("log10", Function::Log10),
+    ("sqrt", Function::Sqrt),
+    ("abs", Function::Abs),
 ];
 
 impl Formula {
@@ -48,12 +51,9 @@ impl Formula {
     ///
     /// Errors: Kin cannot read a part of the text; the error contains this part.
     pub fn read(text: &str) -> Result<Formula, String> {
-        let mut reader = Reader { tokens: tokens(text)?, at: 0, depth: 0 };
-        let formula = reader.sum()?;
-        match reader.tokens.get(reader.at) {
-            None => Ok(formula),
-            Some(token) => Err(format!("the formula has an unexpected `{}`", token.word())),
-        }
+        let text = text.split('"').step_by(2).collect::<Vec<&str>>().join(" ").replace("<n>", " ");
+        check(&text)?;
+        text::read(&text, &mut OfTime)
     }
 
     /// Returns the value of the formula, or `None` if the formula depends on time.
@@ -71,33 +71,35 @@ impl Formula {
                 false => Err(format!("the value is {value}")),
             };
         }
-        let text = format!("fn law(time: f64) -> f64 {{ {} }}", self.written(0));
+        let text = format!("fn law(time: f64) -> f64 {{ {} }}", self.printed().text);
         let read = LawText::read(&text).map_err(|mistakes| mistakes.to_string())?;
         read.law(&[]).map_err(|error| error.to_string())
     }
 
-    /// The text in Kin's language; in brackets where something stronger binds it.
-    fn written(&self, stronger: u8) -> String {
-        let (binds, text) = match self {
-            Formula::Number(value) if *value < 0.0 => (2, format!("{value:?}")),
-            Formula::Number(value) => (4, format!("{value:?}")),
-            Formula::Time => (4, "time".to_string()),
-            Formula::Negative(inner) => (2, format!("-{}", inner.written(3))),
+    /// Prints the formula in the language of laws.
+    fn printed(&self) -> Piece {
+        match self {
+            Formula::Number(value) => Rust.number(*value),
+            Formula::Time => Piece::atom("time"),
+            Formula::Negative(inner) => Rust.negative(&inner.printed()),
             Formula::Two('^', base, power) => {
-                let base = base.written(4);
-                let power = power.as_ref();
+                let base = base.printed();
                 match power.constant().filter(|n| n.fract() == 0.0 && n.abs() < 1e3) {
-                    Some(n) => (4, format!("{base}.powi({n})")),
-                    None => (4, format!("{base}.powf({})", power.written(0))),
+                    Some(n) => Rust.power(&base, n as i32),
+                    None => Rust.call2(Function2::Powf, &base, &power.printed()),
                 }
             }
             Formula::Two(sign, a, b) => {
-                let binds = if matches!(sign, '+' | '-') { 1 } else { 2 };
-                (binds, format!("{} {sign} {}", a.written(binds), b.written(binds + 1)))
+                let operator = match sign {
+                    '+' => Infix::Sum,
+                    '-' => Infix::Difference,
+                    '*' => Infix::Product,
+                    _ => Infix::Quotient,
+                };
+                Rust.infix(&a.printed(), operator, &b.printed())
             }
-            Formula::Call(name, inner) => (4, format!("{}.{name}()", inner.written(4))),
-        };
-        if binds < stronger { format!("({text})") } else { text }
+            Formula::Call(function, inner) => Rust.call(*function, &inner.printed()),
+        }
     }
 
     /// Two joined by a sign: computed where both are numbers, less where one is nothing.
@@ -115,187 +117,115 @@ impl Formula {
         }
     }
 
-    fn call(name: &'static str, inner: Formula) -> Formula {
-        let Some(x) = inner.constant() else { return Formula::Call(name, Box::new(inner)) };
-        Formula::Number(match name {
-            "sin" => x.sin(),
-            "cos" => x.cos(),
-            "tan" => x.tan(),
-            "asin" => x.asin(),
-            "acos" => x.acos(),
-            "atan" => x.atan(),
-            "sinh" => x.sinh(),
-            "cosh" => x.cosh(),
-            "tanh" => x.tanh(),
-            "exp" => x.exp(),
-            "ln" => x.ln(),
-            "log10" => x.log10(),
-            "sqrt" => x.sqrt(),
-            _ => x.abs(),
-        })
-    }
-}
-
-#[derive(Clone, Debug, PartialEq)]
-enum Token {
-    Number(f64),
-    Name(String),
-    Sign(char),
-}
-
-impl Token {
-    fn word(&self) -> String {
-        match self {
-            Token::Number(value) => value.to_string(),
-            Token::Name(name) => name.clone(),
-            Token::Sign(sign) => sign.to_string(),
+    fn call(function: Function, inner: Formula) -> Formula {
+        match inner.constant() {
+            Some(x) => Formula::Number(function.value()(x)),
+            None => Formula::Call(function, Box::new(inner)),
         }
     }
 }
 
-/// Numbers, names and signs. A number may end in `d`, which begins an exponent where digits follow
-/// (`1.0d-3`); `<n>` is a new line.
-fn tokens(text: &str) -> Result<Vec<Token>, String> {
-    let text: String =
-        text.split('"').step_by(2).collect::<Vec<&str>>().join(" ").replace("<n>", " ");
-    let mut rest = text.trim_start();
-    let mut all = Vec::new();
-    while let Some(first) = rest.chars().next() {
-        let length = if first.is_ascii_digit() || first == '.' {
-            number_length(rest)
-        } else if first.is_alphabetic() {
-            rest.find(|c: char| !c.is_alphanumeric() && c != '_').unwrap_or(rest.len())
-        } else {
-            first.len_utf8()
+/// The language of formulas in the files. A number may end in `d`, which begins an exponent where
+/// digits follow (`1.0d-3`).
+struct OfTime;
+
+impl Language for OfTime {
+    type Value = Formula;
+    const SIGNS: &'static [char] = &['+', '-'];
+    const POWER: bool = true;
+    const DEEPEST: usize = DEEPEST - 1;
+
+    fn number_length(text: &str) -> usize {
+        let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
+        let whole = digits(0);
+        let mantissa =
+            if text[whole..].starts_with('.') { whole + 1 + digits(whole + 1) } else { whole };
+        let rest = &text[mantissa..];
+        if !rest.starts_with(['d', 'e', 'E']) {
+            return mantissa;
+        }
+        let sign = usize::from(rest[1..].starts_with(['+', '-']));
+        let length = match digits(mantissa + 1 + sign) {
+            0 => mantissa,
+            exponent => mantissa + 1 + sign + exponent,
         };
-        let (word, after) = rest.split_at(length);
-        all.push(match first {
-            '0'..='9' | '.' => {
-                let value = word.trim_end_matches('d').replace('d', "e").parse::<f64>();
-                Token::Number(value.map_err(|_| format!("`{word}` is not a number"))?)
-            }
-            '+' | '-' | '*' | '/' | '^' | '(' | ')' => Token::Sign(first),
-            _ if first.is_alphabetic() => Token::Name(word.to_string()),
-            _ => return Err(format!("Kin does not know `{first}` in a formula")),
-        });
-        rest = after.trim_start();
+        length + usize::from(text[length..].starts_with('d'))
     }
-    Ok(all)
+
+    fn is_in_name(letter: char, first: bool) -> bool {
+        letter.is_alphabetic() || !first && (letter.is_alphanumeric() || letter == '_')
+    }
+
+    fn words(mistake: Mistake<'_>) -> String {
+        match mistake {
+            Mistake::Ends => "the formula ends before a number or name".to_string(),
+            Mistake::Unexpected(text) => {
+                let word = value(text).map_or(text.to_string(), |value| value.to_string());
+                format!("the formula has an unexpected `{word}`")
+            }
+            // The files have no quotes: `read` takes remarks out.
+            Mistake::OpenBracket | Mistake::OpenQuote => "a bracket is not closed".to_string(),
+            Mistake::Deep => format!("brackets are deeper than {DEEPEST}"),
+        }
+    }
+
+    fn number(&mut self, text: &str) -> Result<Formula, String> {
+        value(text).map(Formula::Number).ok_or_else(|| format!("`{text}` is not a number"))
+    }
+
+    fn name(&mut self, name: &str, called: bool) -> Result<Meaning<Formula>, String> {
+        match name.to_ascii_lowercase().as_str() {
+            "time" | "t" => Ok(Meaning::Value(Formula::Time)),
+            "pi" => Ok(Meaning::Value(Formula::Number(PI))),
+            lower if function(lower).is_none() => {
+                Err(format!("Kin does not know `{name}` in a formula"))
+            }
+            _ if !called => Err(format!("`{name}` needs an argument in brackets")),
+            _ => Ok(Meaning::Function),
+        }
+    }
+
+    fn call(&mut self, name: &str, arguments: Vec<Formula>) -> Result<Formula, String> {
+        let known = function(&name.to_ascii_lowercase());
+        let argument = arguments.into_iter().next();
+        let made = known.zip(argument).map(|(function, inner)| Formula::call(function, inner));
+        made.ok_or_else(|| format!("Kin does not know `{name}` in a formula"))
+    }
+
+    fn negative(&mut self, a: Formula) -> Formula {
+        match a {
+            Formula::Number(value) => Formula::Number(-value),
+            inner => Formula::Negative(Box::new(inner)),
+        }
+    }
+
+    fn two(&mut self, a: Formula, operator: char, b: Formula) -> Formula {
+        Formula::two(operator, a, b)
+    }
 }
 
-fn number_length(text: &str) -> usize {
-    let digits = |from: usize| text[from..].bytes().take_while(u8::is_ascii_digit).count();
-    let whole = digits(0);
-    let mantissa =
-        if text[whole..].starts_with('.') { whole + 1 + digits(whole + 1) } else { whole };
-    let rest = &text[mantissa..];
-    if !rest.starts_with(['d', 'e', 'E']) {
-        return mantissa;
-    }
-    let sign = usize::from(rest[1..].starts_with(['+', '-']));
-    let length = match digits(mantissa + 1 + sign) {
-        0 => mantissa,
-        exponent => mantissa + 1 + sign + exponent,
-    };
-    length + usize::from(text[length..].starts_with('d'))
+/// Returns the function with this name in lower case.
+fn function(name: &str) -> Option<Function> {
+    FUNCTIONS.iter().find(|(known, _)| *known == name).map(|(_, function)| *function)
 }
 
-struct Reader {
-    tokens: Vec<Token>,
-    at: usize,
-    depth: usize,
+/// Returns the value of a number of the files.
+fn value(text: &str) -> Option<f64> {
+    text.trim_end_matches('d').replace('d', "e").parse().ok()
 }
 
-impl Reader {
-    fn takes(&mut self, signs: &[char]) -> Option<char> {
-        match self.tokens.get(self.at) {
-            Some(Token::Sign(sign)) if signs.contains(sign) => {
-                self.at += 1;
-                Some(*sign)
-            }
-            _ => None,
-        }
-    }
-
-    fn sum(&mut self) -> Result<Formula, String> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(format!("brackets are deeper than {DEEPEST}"));
-        }
-        let mut left = self.product()?;
-        while let Some(sign) = self.takes(&['+', '-']) {
-            left = Formula::two(sign, left, self.product()?);
-        }
-        self.depth -= 1;
-        Ok(left)
-    }
-
-    fn product(&mut self) -> Result<Formula, String> {
-        let mut left = self.signed()?;
-        while let Some(sign) = self.takes(&['*', '/']) {
-            left = Formula::two(sign, left, self.signed()?);
-        }
-        Ok(left)
-    }
-
-    fn signed(&mut self) -> Result<Formula, String> {
-        let mut negative = false;
-        while let Some(sign) = self.takes(&['+', '-']) {
-            negative ^= sign == '-';
-        }
-        let inner = self.power()?;
-        Ok(match (negative, inner) {
-            (false, inner) => inner,
-            (true, Formula::Number(value)) => Formula::Number(-value),
-            (true, inner) => Formula::Negative(Box::new(inner)),
-        })
-    }
-
-    fn power(&mut self) -> Result<Formula, String> {
-        let base = self.atom()?;
-        match self.takes(&['^']) {
-            Some(_) => {
-                let sign = self.takes(&['-']);
-                let power = self.atom()?;
-                let power = if sign.is_some() {
-                    Formula::two('*', Formula::Number(-1.0), power)
-                } else {
-                    power
-                };
-                Ok(Formula::two('^', base, power))
-            }
-            None => Ok(base),
-        }
-    }
-
-    fn atom(&mut self) -> Result<Formula, String> {
-        let token =
-            self.tokens.get(self.at).cloned().ok_or("the formula ends before a number or name")?;
-        self.at += 1;
+/// Checks all characters and numbers of a text before Kin reads it.
+fn check(text: &str) -> Result<(), String> {
+    for token in Tokens::<OfTime>::new(text) {
         match token {
-            Token::Number(value) => Ok(Formula::Number(value)),
-            Token::Sign('(') => self.bracket(),
-            Token::Sign(sign) => Err(format!("the formula has an unexpected `{sign}`")),
-            Token::Name(name) => match name.to_ascii_lowercase().as_str() {
-                "time" | "t" => Ok(Formula::Time),
-                "pi" => Ok(Formula::Number(PI)),
-                lower => {
-                    let known = FUNCTIONS.iter().find(|(known, _)| *known == lower);
-                    let (_, function) =
-                        known.ok_or_else(|| format!("Kin does not know `{name}` in a formula"))?;
-                    if self.takes(&['(']).is_none() {
-                        return Err(format!("`{name}` needs an argument in brackets"));
-                    }
-                    Ok(Formula::call(function, self.bracket()?))
-                }
-            },
+            Token::Sign(sign) if !"+-*/^()".contains(sign) => {
+                return Err(format!("Kin does not know `{sign}` in a formula"));
+            }
+            Token::Number(text) => OfTime.number(text).map(|_| ())?,
+            _ => {}
         }
     }
-
-    fn bracket(&mut self) -> Result<Formula, String> {
-        let inner = self.sum()?;
-        self.takes(&[')']).map(|_| inner).ok_or_else(|| "a bracket is not closed".to_string())
-    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,12 +1,10 @@
 //! Reads expressions of dimensions from a file: `crank / 2`, `hypot(dx, dy)`.
 
+use kin_graph::text::{self, Language, Meaning, Mistake};
 use kin_graph::{Function, Function2};
 
 use crate::dimensions::Dimension;
 use crate::outcome::similar;
-
-/// The largest depth of nested expressions. It keeps the recursive reader within the stack.
-const DEEPEST: usize = 200;
 
 /// Returns the number of the text; `named` looks up a dimension, and says which ones there are if
 /// there is no such one. Errors: the mistake in words.
@@ -14,100 +12,60 @@ pub(super) fn read(
     text: &str,
     named: &mut dyn FnMut(&str) -> Result<Dimension, Vec<String>>,
 ) -> Result<Dimension, String> {
-    let mut reader = Reader { rest: text, depth: 0, named };
-    let number = reader.sum().and_then(|number| match reader.peek() {
-        None => Ok(number),
-        Some(c) => Err(format!("`{c}` is not allowed here")),
-    });
-    number.map_err(|reason| format!("the expression `{text}`: {reason}"))
+    text::read(text, &mut Dimensions { named })
+        .map_err(|reason| format!("the expression `{text}`: {reason}"))
 }
 
-/// The rest of a text, with the meaning of its names.
-struct Reader<'a> {
-    rest: &'a str,
-    depth: usize,
+/// Expressions of dimensions, with the meaning of their names.
+struct Dimensions<'a> {
     named: &'a mut dyn FnMut(&str) -> Result<Dimension, Vec<String>>,
 }
 
-impl<'a> Reader<'a> {
-    /// Returns the next character that is no space.
-    fn peek(&mut self) -> Option<char> {
-        self.rest = self.rest.trim_start();
-        self.rest.chars().next()
-    }
+impl Language for Dimensions<'_> {
+    type Value = Dimension;
+    const REMAINDER: bool = true;
+    const QUOTES: bool = true;
+    const DEEPEST: usize = 200;
 
-    /// Takes the next character and returns true if it is this one.
-    fn takes(&mut self, letter: char) -> bool {
-        let there = self.peek() == Some(letter);
-        if there {
-            self.rest = &self.rest[letter.len_utf8()..];
+    fn number_length(text: &str) -> usize {
+        let count =
+            |text: &str, holds: fn(char) -> bool| text.find(|c| !holds(c)).unwrap_or(text.len());
+        let mantissa = count(text, |c| c.is_ascii_digit() || c == '.');
+        if !text[mantissa..].starts_with(['e', 'E']) {
+            return mantissa;
         }
-        there
+        let exponent = &text[mantissa + 1..];
+        let sign = usize::from(exponent.starts_with(['+', '-']));
+        mantissa + 1 + sign + count(&exponent[sign..], |c| c.is_ascii_digit())
     }
 
-    /// Takes characters as long as the condition holds.
-    fn word(&mut self, holds: impl Fn(char) -> bool) -> &'a str {
-        let end = self.rest.find(|c| !holds(c)).unwrap_or(self.rest.len());
-        let (word, rest) = self.rest.split_at(end);
-        self.rest = rest;
-        word
+    fn is_in_name(letter: char, first: bool) -> bool {
+        let begins = letter.is_alphabetic() || letter == '_';
+        begins || !first && (letter.is_alphanumeric() || letter == '.')
     }
 
-    fn sum(&mut self) -> Result<Dimension, String> {
-        let mut sum = self.product()?;
-        loop {
-            sum = match self.peek() {
-                Some('+') if self.takes('+') => sum + self.product()?,
-                Some('-') if self.takes('-') => sum - self.product()?,
-                _ => return Ok(sum),
-            };
-        }
-    }
-
-    fn product(&mut self) -> Result<Dimension, String> {
-        let mut product = self.signed()?;
-        loop {
-            product = match self.peek() {
-                Some('*') if self.takes('*') => product * self.signed()?,
-                Some('/') if self.takes('/') => product / self.signed()?,
-                Some('%') if self.takes('%') => product % self.signed()?,
-                _ => return Ok(product),
-            };
-        }
-    }
-
-    fn signed(&mut self) -> Result<Dimension, String> {
-        let mut negative = false;
-        while self.takes('-') {
-            negative = !negative;
-        }
-        let number = self.single()?;
-        Ok(if negative { -number } else { number })
-    }
-
-    fn single(&mut self) -> Result<Dimension, String> {
-        match self.peek() {
-            None => Err("a number must follow at the end of the expression".to_string()),
-            Some('(') => self.bracketed(|reader| reader.sum()),
-            Some('`') if self.takes('`') => {
-                let name = self.word(|c| c != '`');
-                if self.takes('`') {
-                    self.look_up(name)
-                } else {
-                    Err("a closing ` is missing".to_string())
-                }
+    fn words(mistake: Mistake<'_>) -> String {
+        match mistake {
+            Mistake::Ends => "a number must follow at the end of the expression".to_string(),
+            Mistake::Unexpected(text) => {
+                let first = text.chars().next().unwrap_or_default();
+                format!("`{first}` is not allowed here")
             }
-            Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
-            Some(c) if c.is_alphabetic() || c == '_' => {
-                let name = self.word(|c| c.is_alphanumeric() || c == '_' || c == '.');
-                if self.peek() == Some('(') { self.call(name) } else { self.look_up(name) }
-            }
-            Some(c) => Err(format!("`{c}` is not allowed here")),
+            Mistake::OpenBracket => "a closing bracket is missing".to_string(),
+            Mistake::OpenQuote => "a closing ` is missing".to_string(),
+            Mistake::Deep => format!("it is nested deeper than {} brackets", Self::DEEPEST),
         }
     }
 
-    fn look_up(&mut self, name: &str) -> Result<Dimension, String> {
-        (self.named)(name).map_err(|known| {
+    fn number(&mut self, text: &str) -> Result<Dimension, String> {
+        text.parse().map(|x: f64| x.into()).map_err(|_| format!("`{text}` is no number"))
+    }
+
+    fn name(&mut self, name: &str, called: bool) -> Result<Meaning<Dimension>, String> {
+        if called {
+            return Ok(Meaning::Function);
+        }
+        (self.named)(name).map(Meaning::Value).map_err(|known| {
             let cure = match known[..] {
                 [] => ". Declare it in `dimensions`".to_string(),
                 _ => similar::cure(name, &known),
@@ -116,43 +74,7 @@ impl<'a> Reader<'a> {
         })
     }
 
-    fn number(&mut self) -> Result<Dimension, String> {
-        let before = self.rest;
-        self.word(|c| c.is_ascii_digit() || c == '.');
-        if self.rest.starts_with(['e', 'E']) {
-            self.rest = &self.rest[1..];
-            if self.rest.starts_with(['+', '-']) {
-                self.rest = &self.rest[1..];
-            }
-            self.word(|c| c.is_ascii_digit());
-        }
-        let text = &before[..before.len() - self.rest.len()];
-        text.parse().map(|x: f64| x.into()).map_err(|_| format!("`{text}` is no number"))
-    }
-
-    /// Reads the content of brackets.
-    fn bracketed<T>(
-        &mut self,
-        inside: impl FnOnce(&mut Self) -> Result<T, String>,
-    ) -> Result<T, String> {
-        self.depth += 1;
-        if self.depth > DEEPEST {
-            return Err(format!("it is nested deeper than {DEEPEST} brackets"));
-        }
-        self.takes('(');
-        let found = inside(self)?;
-        self.depth -= 1;
-        if self.takes(')') { Ok(found) } else { Err("a closing bracket is missing".to_string()) }
-    }
-
-    fn call(&mut self, name: &str) -> Result<Dimension, String> {
-        let arguments = self.bracketed(|reader| {
-            let mut all = vec![reader.sum()?];
-            while reader.takes(',') {
-                all.push(reader.sum()?);
-            }
-            Ok(all)
-        })?;
+    fn call(&mut self, name: &str, arguments: Vec<Dimension>) -> Result<Dimension, String> {
         let one = Function::from_method(name);
         let two = Function2::from_method(name);
         match (arguments.as_slice(), one, two) {
@@ -168,6 +90,20 @@ impl<'a> Reader<'a> {
                 Err(format!("there is no function `{name}`{}", similar::cure(name, &all)))
             }
             (all, ..) => Err(format!("`{name}` does not take {} numbers", all.len())),
+        }
+    }
+
+    fn negative(&mut self, a: Dimension) -> Dimension {
+        -a
+    }
+
+    fn two(&mut self, a: Dimension, operator: char, b: Dimension) -> Dimension {
+        match operator {
+            '+' => a + b,
+            '-' => a - b,
+            '*' => a * b,
+            '/' => a / b,
+            _ => a % b,
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Expressions of dimensions as text.
 
-use kin_graph::{Function, Function2, Graph, Node, infix};
+use kin_graph::text::{Kin, print};
+use kin_graph::{Function, Function2, Graph, Node};
 
 use super::Entry;
 
@@ -13,7 +14,7 @@ pub(crate) fn text_of(graph: &Graph, entries: &[Entry], node: Node) -> Option<St
     let named = |node: Node| {
         entries.iter().find(|entry| entry.node == node).map(|entry| quoted(&entry.name))
     };
-    infix(graph, node, named, LONGEST)
+    print(graph, node, &Kin, named, LONGEST)
 }
 
 /// Returns a name as an expression contains it: in backticks, unless it is a word that no function
