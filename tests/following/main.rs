@@ -8,10 +8,12 @@ mod coarse;
 mod effort;
 mod failures;
 mod follower;
+mod maps;
 mod models;
 mod moved;
 mod pairs;
 mod parallelograms;
+mod roles;
 mod toggles;
 
 #[path = "../data/engines.rs"]

@@ -24,6 +24,7 @@ mod body;
 mod calls;
 mod effort;
 mod friction;
+mod given;
 mod growth;
 mod inverse;
 pub(crate) mod library;

@@ -3,7 +3,7 @@
 use kin_graph::Formula;
 
 use super::System;
-use super::evaluate::Block;
+use super::evaluate::{Block, Equations};
 use crate::coordinates::layout::Layout;
 use crate::coordinates::units::Unit;
 use crate::coordinates::{Coordinate, Target};
@@ -11,6 +11,9 @@ use crate::law::Law;
 use crate::model::constraint::Constraint;
 use crate::model::formula::laws::lengths;
 use crate::model::formula::{Given, Outside};
+
+/// A constraint with its name.
+type Named = (String, Box<dyn Constraint>);
 
 /// Returns the unit of the coordinate of a constraint that acts on one coordinate only.
 fn unit_of_coordinate(layout: &Layout, block: &Block) -> Option<String> {
@@ -77,6 +80,37 @@ impl System {
         self.forget_derived();
         let place = &mut self.equations.blocks[block].constraint;
         *place = change(place.clone());
+    }
+
+    /// Returns the system without the constraints with these indices, and with others in place of
+    /// the first one. Dimensions and preferred measures are left out: the copy is not assembled
+    /// again.
+    pub(crate) fn with_others(&self, out: &[usize], others: Vec<Named>) -> System {
+        let first = out.iter().min().copied();
+        let norms = |block: &Block| block.constraint.facts().kind == "euler_norm";
+        let all = &self.equations.blocks;
+        let place = first.or_else(|| all.iter().position(norms)).unwrap_or(all.len());
+        let kept = |range: std::ops::Range<usize>| {
+            let kept = range.filter(|k| !out.contains(k)).map(|k| &all[k]);
+            kept.map(|block| (block.name.clone(), block.constraint.clone()))
+        };
+        let constraints: Vec<Named> =
+            kept(0..place).chain(others).chain(kept(place..all.len())).collect();
+        let layout = (*self.layout).clone();
+        let equations = Equations::new(&layout, constraints);
+        let mut system = System::new(
+            self.name.clone(),
+            layout,
+            equations,
+            self.initial.clone(),
+            self.preferred.clone(),
+        );
+        system.lengths.clone_from(&self.lengths);
+        system.links.clone_from(&self.links);
+        system.loads.clone_from(&self.loads);
+        let limits = self.limits.iter().filter(|limit| system.is_measure(&limit.name));
+        system.limits = limits.cloned().collect();
+        system
     }
 
     /// Returns the unit of row k of a constraint from its documentation (`[m]`, `[rad, m]`), or

@@ -5,7 +5,7 @@ use crate::model::constraint::Measured;
 use crate::outcome::error::Error;
 
 /// A measure of a constraint.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct MeasurePlace {
     pub block: usize,
     pub number: usize,

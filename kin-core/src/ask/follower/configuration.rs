@@ -14,7 +14,7 @@ pub struct Configuration<'a> {
 }
 
 impl<'a> Configuration<'a> {
-    /// Returns q in the order of [`System::coordinate_names`]. \[m, rad\]
+    /// Returns q in the order of [`crate::System::coordinate_names`]. \[m, rad\]
     pub fn q(self) -> &'a [f64] {
         &self.follower.q
     }
@@ -29,8 +29,18 @@ impl<'a> Configuration<'a> {
         self.follower.drivers()
     }
 
+    /// Returns the values of the drivers that are left out because other values are given, in the
+    /// order of the constraints; empty if the follower moves the drivers. Kin counts the whole
+    /// turns of an angle from move to move, so that one move changes it by less than half a turn.
+    pub fn left_out(self) -> Vec<NamedValue> {
+        let Some(whole) = &self.follower.whole else { return Vec::new() };
+        let given = |name: &str| self.follower.drivers.iter().any(|own| own.value.name == name);
+        let out = whole.drivers.iter().filter(|driver| !given(&driver.value.name));
+        out.map(|driver| driver.value.clone()).collect()
+    }
+
     /// Returns a measure: the angle or slide of a joint or a coordinate by name, or whatever else
-    /// [`System::measure`] takes.
+    /// [`crate::System::measure`] takes.
     ///
     /// Errors: an unknown name, with the known ones.
     pub fn measure(self, what: impl Measure) -> Result<f64> {

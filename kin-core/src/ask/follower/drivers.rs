@@ -1,5 +1,7 @@
 //! The drivers of a follower: the laws of time whose values it moves.
 
+use nalgebra::{DMatrix, DVector};
+
 use crate::ask::follower::frozen::Frozen;
 use crate::law::Law;
 use crate::model::formula::laws;
@@ -11,9 +13,9 @@ use crate::system::evaluate::Block;
 #[derive(Clone, Debug)]
 pub(super) struct Driver {
     /// The place of the constraint among all constraints.
-    block: usize,
+    pub block: usize,
     /// The parameter of the constraint that is the law.
-    parameter: String,
+    pub parameter: String,
     /// The name, unit and value.
     pub value: NamedValue,
 }
@@ -36,7 +38,7 @@ pub(super) fn take(system: &mut System, t0: f64, q: &[f64]) -> (Vec<Driver>, Vec
         drivers.extend(found);
     }
     for driver in &drivers {
-        driver.set(system, Law::constant(driver.value.value));
+        driver.rest(system);
     }
     (drivers, frozen)
 }
@@ -73,8 +75,93 @@ fn of_block(system: &System, block: &Block, k: usize, (t0, q): (f64, &[f64])) ->
 }
 
 impl Driver {
+    /// Takes the driver to rest at its value.
+    pub(super) fn rest(&self, system: &mut System) {
+        self.set(system, Law::constant(self.value.value));
+    }
+
     /// Replaces the law of the driver.
     pub(super) fn set(&self, system: &mut System, law: Law) {
         system.set_law(self.block, &self.parameter, &law);
     }
+}
+
+/// The values of the laws of one constraint at a position, and how the rows depend on them.
+pub(super) struct Laws {
+    pub values: Vec<f64>,
+    /// C_u: one row for each equation, one column for each law.
+    pub c_u: DMatrix<f64>,
+}
+
+/// Sets the values of drivers to those that they have at the position q, near their present ones.
+/// A driver whose equation no value satisfies keeps its value.
+pub(super) fn values_at(drivers: &mut [Driver], system: &System, q: &[f64]) {
+    let mut blocks: Vec<usize> = drivers.iter().map(|driver| driver.block).collect();
+    blocks.dedup();
+    for block in blocks {
+        let mut own: Vec<&mut Driver> =
+            drivers.iter_mut().filter(|driver| driver.block == block).collect();
+        let laws: Vec<(&str, f64)> =
+            own.iter().map(|driver| (driver.parameter.as_str(), driver.value.value)).collect();
+        if let Some(Laws { values, .. }) = laws_at(system, block, &laws, q) {
+            own.iter_mut().zip(values).for_each(|(driver, value)| driver.value.value = value);
+        }
+    }
+}
+
+/// Returns the values of the laws of a constraint with which it is satisfied at q, by Newton's
+/// method from these values.
+pub(super) fn laws_at(
+    system: &System,
+    block: usize,
+    laws: &[(&str, f64)],
+    q: &[f64],
+) -> Option<Laws> {
+    const STEPS: usize = 30;
+    let block = &system.equations().blocks[block];
+    let instant = system.equations().instant_at(0.0, q);
+    // Numbers that the constraint has computed from other laws do not count.
+    let at = system.equations().at(block, &instant).with_timed(&[]);
+    let rows = block.rows().len();
+    let mut constraint = block.constraint.clone();
+    let mut values: Vec<f64> = laws.iter().map(|(_, value)| *value).collect();
+    for _ in 0..STEPS {
+        let mut c = DVector::zeros(rows);
+        let mut c_u = DMatrix::zeros(rows, laws.len());
+        for k in 0..laws.len() {
+            for (j, (parameter, _)) in laws.iter().enumerate() {
+                let rate = if j == k { 1.0 } else { 0.0 };
+                constraint.set_law(parameter, &Law::polynomial(&[values[j], rate]));
+            }
+            let mut rhs = vec![0.0; rows];
+            constraint.velocity_rhs(&at, &mut rhs);
+            rhs.iter().enumerate().for_each(|(row, rhs)| c_u[(row, k)] = -rhs);
+        }
+        constraint.residual(&at, c.as_mut_slice());
+        let step = least_squares(&c_u, &c)?;
+        let mut large = false;
+        for (value, step) in values.iter_mut().zip(step.iter()) {
+            *value -= step;
+            large |= step.abs() > 32.0 * f64::EPSILON * value.abs().max(1.0);
+        }
+        if values.iter().any(|value| !value.is_finite()) {
+            return None;
+        }
+        if !large {
+            return Some(Laws { values, c_u });
+        }
+    }
+    None
+}
+
+/// Returns x with the least |A x − b|, for a matrix A with independent columns.
+pub(super) fn least_squares(a: &DMatrix<f64>, b: &DVector<f64>) -> Option<DVector<f64>> {
+    if a.iter().chain(b.iter()).any(|x| !x.is_finite()) {
+        return None;
+    }
+    if let (1, 1) = a.shape() {
+        return (a[0] != 0.0).then(|| b / a[0]);
+    }
+    let qr = a.clone().qr();
+    qr.r().solve_upper_triangular(&(qr.q().transpose() * b))
 }

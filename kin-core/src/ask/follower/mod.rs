@@ -3,17 +3,23 @@
 mod configuration;
 mod drivers;
 mod frozen;
+mod map;
 mod moved;
+mod prescribed;
+mod roles;
 
 use crate::ask::solver::Solver;
 use crate::law::Law;
 use crate::outcome::error::{Error, Result};
+use crate::outcome::motion::Motion;
 use crate::outcome::named_value::NamedValue;
+use crate::solve::newton::Outcome;
 use crate::solve::options::SolverOptions;
 use crate::system::{Solution, System, time};
 
 pub use configuration::Configuration;
 use drivers::Driver;
+pub use map::{Map, Mapped};
 
 /// Stands on one branch of a mechanism and moves along it by values of its drivers.
 ///
@@ -53,6 +59,15 @@ pub struct Follower {
     pub(in crate::ask) q: Vec<f64>,
     /// Where the next move begins instead, if the present position is singular.
     regular: Option<Regular>,
+    /// The mechanism with all of its drivers, if other values are given instead of them.
+    whole: Option<Box<Whole>>,
+}
+
+/// A mechanism with all of its drivers at rest. Time stands still in all other constraints.
+#[derive(Clone, Debug)]
+struct Whole {
+    system: System,
+    drivers: Vec<Driver>,
 }
 
 /// A position shortly before a singular one.
@@ -91,7 +106,7 @@ impl Solver<'_> {
             });
         }
         let options = self.options.clone();
-        Ok(Follower { system, options, t0, drivers, frozen, q, regular: None })
+        Ok(Follower { system, options, t0, drivers, frozen, q, regular: None, whole: None })
     }
 }
 
@@ -169,6 +184,30 @@ impl Follower {
             self.system.solver().options(self.options.clone()).solve_at(0.0, &self.q)?;
         found.t = self.t0;
         Ok(found)
+    }
+
+    /// Returns the configuration as a motion of one time, with q̇ and q̈ for these rates of the
+    /// drivers.
+    pub(crate) fn moving(
+        &mut self,
+        rates: impl IntoIterator<Item = (impl AsRef<str>, [f64; 2])>,
+    ) -> Result<Motion> {
+        let Solution { q, qd, qdd, .. } = self.rates(rates)?;
+        let mut motion = Motion::new(&self.system, 1);
+        let outcome = Outcome { iterations: 0, residual: 0.0 };
+        motion.append(0.0, [&q, &qd, &qdd, &[]], outcome, 0);
+        Ok(motion)
+    }
+
+    /// Returns the system with the laws of the present values.
+    pub(crate) fn system(&self) -> &System {
+        &self.system
+    }
+
+    /// Returns the name of the constraint of each driver.
+    pub(crate) fn constraints_of_drivers(&self) -> Vec<String> {
+        let names = self.system.constraint_names();
+        self.drivers.iter().map(|driver| names[driver.block].to_string()).collect()
     }
 
     /// Gives the named driver the value t at time t, and returns its present value. The other

@@ -32,6 +32,7 @@ impl Follower {
                 self.q = reached;
                 self.regular = None;
                 self.rest_at(targets);
+                self.follow_left_out();
                 Ok(())
             }
             Err(error) => Err(self.stop(error, (start, q), targets)),
@@ -72,6 +73,7 @@ impl Follower {
         self.regular = Some(regular.unwrap_or(Regular { values: start.clone(), q }));
         self.q.clone_from(&found.q);
         self.rest_at(&way(found.t));
+        self.follow_left_out();
         self.cannot_reach(targets, Some(&found), String::new())
     }
 
