@@ -57,6 +57,7 @@ mod guide {
         Motions "../docs/guide/motions.md";
         Positions "../docs/guide/positions.md";
         Dragging "../docs/guide/dragging.md";
+        Ankle "../docs/guide/ankle.md";
         DeadCentres "../docs/guide/dead-centres.md";
         LongRuns "../docs/guide/long-runs.md";
         Proofs "../docs/guide/proofs.md";

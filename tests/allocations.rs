@@ -59,6 +59,32 @@ fn number_of_steps_does_not_change_the_number_of_allocations() {
     steps_of_a_program_allocate_nothing(&system);
 }
 
+/// Small moves of a follower, also where it turns back.
+#[test]
+fn small_moves_of_a_follower_allocate_nothing() {
+    let mut m = Mechanism::new("four-bar");
+    let crank = m.link("crank", 1.0).unwrap();
+    let coupler = m.link("coupler", 3.5).unwrap();
+    let rocker = m.link("rocker", 3.0).unwrap();
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    m.add("A", revolute(crank, coupler, crank.end(), coupler.start())).unwrap();
+    m.add("B", revolute(coupler, rocker, coupler.end(), rocker.end())).unwrap();
+    m.add("C", revolute(Ground, rocker, vec2(4.0, 0.0), rocker.start())).unwrap();
+    m.add("motor", drive_angle(crank, Law::constant(0.0))).unwrap();
+    m.prefer(rocker, 1.75);
+    let mut follower = m.build().unwrap().follower(0.0).unwrap();
+    let mut moved = |from: usize, to: usize| {
+        let before = ALLOCATIONS.get();
+        for k in from..to {
+            let angle = 0.01 * k as f64 + if k % 7 == 0 { -0.013 } else { 0.0 };
+            follower.to([("motor", angle)]).unwrap();
+        }
+        ALLOCATIONS.get() - before
+    };
+    moved(0, 30);
+    assert_eq!(moved(30, 900), 0);
+}
+
 /// By a program that is there already.
 fn steps_of_a_program_allocate_nothing(system: &kin::System) {
     system.compile().unwrap();

@@ -16,6 +16,7 @@ mod w5;
 mod w6;
 mod w7;
 mod w8;
+mod w9;
 
 use std::process::{Command, ExitCode};
 use std::time::Duration;
@@ -23,7 +24,7 @@ use std::time::Duration;
 use measure::Figure;
 use sweep::Workload;
 
-const NAMES: [&str; 8] = ["W1", "W2", "W3", "W4", "W5", "W6", "W7", "W8"];
+const NAMES: [&str; 9] = ["W1", "W2", "W3", "W4", "W5", "W6", "W7", "W8", "W9"];
 
 /// CPU time for the rounds of one workload.
 const BUDGET: Duration = Duration::from_millis(2500);
@@ -78,6 +79,7 @@ fn known(name: &str) -> Result<(), String> {
         .chain(w4::names())
         .chain(w6::names())
         .chain(w8::names())
+        .chain(w9::names())
         .collect();
     if NAMES.contains(&name) || parts.iter().any(|part| part == name) {
         return Ok(());
@@ -98,6 +100,9 @@ fn run(name: &str) -> Result<(), String> {
     }
     if name.starts_with("W8") {
         w8::run(name, BUDGET).iter().for_each(Figure::print);
+    }
+    if name.starts_with("W9") {
+        w9::run(name, BUDGET).iter().for_each(Figure::print);
     }
     if name == "W7" {
         w7::run().iter().for_each(Figure::print);
@@ -123,6 +128,7 @@ fn once(name: &str, route: &str, repeats: &str) -> Result<(), String> {
     let done = match (name, sweeps(name).first()) {
         (_, Some(workload)) => workload.once(route, repeats),
         ("W7", None) => w7::once(route, repeats),
+        _ if name.starts_with("W9") => w9::once(name, route, repeats),
         _ if name.starts_with("W8") => w8::once(name, route, repeats),
         _ => w6::once(name, route, repeats),
     };

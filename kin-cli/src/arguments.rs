@@ -3,7 +3,7 @@
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 
-use crate::points::{NamedPoint, Pull, Setting, Shard};
+use crate::points::{Given, NamedPoint, Pull, Range, Setting, Shard};
 use crate::say::Format;
 use crate::times::{self, Times};
 
@@ -39,6 +39,8 @@ pub enum Command {
     Pose(Pose),
     /// The position with the drivers released, moved by wishes: points, values of measures
     Drag(Drag),
+    /// Wanted values at given ones, both ways round, with their slopes
+    Map(Map),
     /// All positions that are reached while one driver moves, past dead centres, by arc length
     Circuit(Circuit),
     /// A measure of a joint or a coordinate over time, as CSV, and its extremes
@@ -203,8 +205,12 @@ pub struct Pose {
     #[command(flatten)]
     pub model: Model,
     /// Moves a driver to this value, along the branch; all of them together on a straight line
-    #[arg(long = "to", required = true, value_name = "DRIVER=VALUE")]
+    #[arg(long = "to", required_unless_present = "given", value_name = "DRIVER=VALUE")]
     pub to: Vec<Setting>,
+    /// Gives a measure or a coordinate in place of the drivers, as many as there are freedoms, and
+    /// moves it to this value; drivers that are not given are left out
+    #[arg(long = "given", conflicts_with = "to", value_name = "NAME=VALUE")]
+    pub given: Vec<Setting>,
     /// The time at which the mechanism is assembled before it moves   [s]
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     pub at: f64,
@@ -246,6 +252,37 @@ pub struct Drag {
     /// The position as SVG
     #[arg(long, value_name = "FILE")]
     pub svg: Option<String>,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Map {
+    #[command(flatten)]
+    pub model: Model,
+    /// A driver, measure or coordinate that is given, with the value to which it moves or without
+    /// one; as many as there are freedoms
+    #[arg(long = "given", required = true, value_name = "NAME[=VALUE]")]
+    pub given: Vec<Given>,
+    /// A driver, measure or coordinate that is wanted
+    #[arg(long = "wanted", required = true, value_name = "NAME")]
+    pub wanted: Vec<String>,
+    /// The time at which the mechanism is assembled before it moves   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
+    /// The file for the table of wanted values and slopes; `-` means standard output
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub csv: String,
+    /// The same as JSON
+    #[arg(long, value_name = "FILE")]
+    pub json: Option<String>,
+    /// The range of a given value, for the border
+    #[arg(long = "range", requires = "border", value_name = "NAME=FROM:TO")]
+    pub ranges: Vec<Range>,
+    /// The file for a table of all values along the border of the ranges
+    #[arg(long, requires = "ranges", value_name = "FILE")]
+    pub border: Option<String>,
+    /// How many configurations each side of the border has
+    #[arg(long, default_value_t = 33)]
+    pub points: usize,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -41,6 +41,7 @@ fn done(command: &Command, say: &Say) -> Result<(), Fault> {
         Command::Assemblies(asked) => commands::assemblies(asked, say),
         Command::Pose(asked) => commands::pose(asked, say),
         Command::Drag(asked) => commands::drag(asked, say),
+        Command::Map(asked) => commands::map(asked, say),
         Command::Circuit(asked) => commands::circuit(asked, say),
         Command::Measure(asked) => commands::measure(asked, say),
         Command::Prove(asked) => commands::prove(asked, say),

@@ -78,6 +78,44 @@ impl FromStr for Pull {
     }
 }
 
+/// `NAME=VALUE` or `NAME`: a value that is given, where it moves to or where it is.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Given {
+    pub name: String,
+    pub value: Option<f64>,
+}
+
+impl FromStr for Given {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        if text.contains('=') {
+            let Setting { name, value } = text.parse()?;
+            return Ok(Given { name, value: Some(value) });
+        }
+        Ok(Given { name: text.to_string(), value: None })
+    }
+}
+
+/// `NAME=FROM:TO`: the range of a value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Range {
+    pub name: String,
+    pub ends: [f64; 2],
+}
+
+impl FromStr for Range {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let form = "write NAME=FROM:TO, such as motor=-0.5:0.8";
+        let (name, ends) = text.rsplit_once('=').ok_or(form)?;
+        let (from, to) = ends.split_once(':').ok_or(form)?;
+        let end = |text| number(text).map_err(|reason| format!("the range of `{name}`: {reason}"));
+        Ok(Range { name: name.to_string(), ends: [end(from)?, end(to)?] })
+    }
+}
+
 /// `I/N`: the I-th of N parts, counted from 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Shard {
@@ -134,6 +172,10 @@ mod tests {
             (named.name.as_str(), named.body.as_str(), named.local),
             ("P", "left:arm", vec![1.0, -0.2])
         );
+        assert_eq!("a=-1:2".parse::<Range>().map(|range| range.ends), Ok([-1.0, 2.0]));
+        assert!("a=1".parse::<Range>().is_err() && "a=1:b".parse::<Range>().is_err());
+        assert_eq!("a b".parse::<Given>().map(|given| given.value), Ok(None));
+        assert_eq!("a=2".parse::<Given>().map(|given| given.value), Ok(Some(2.0)));
         assert!("k".parse::<Setting>().is_err() && "k=nan".parse::<Setting>().is_err());
     }
 }

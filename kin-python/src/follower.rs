@@ -20,8 +20,14 @@ pub struct Follower(Mutex<Native>);
 /// The name, unit and value of a driver.
 type Value = (String, Option<String>, f64);
 
+impl From<Native> for Follower {
+    fn from(native: Native) -> Self {
+        Follower(Mutex::new(native))
+    }
+}
+
 impl Follower {
-    fn with<T>(&self, act: impl FnOnce(&mut Native) -> T) -> T {
+    pub(crate) fn with<T>(&self, act: impl FnOnce(&mut Native) -> T) -> T {
         act(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
     }
 }
@@ -41,6 +47,24 @@ impl Follower {
         let options = options(keywords)?;
         let found = py.detach(|| system.solver().options(options).follower(t));
         Ok(Follower(Mutex::new(or_raise(py, found)?)))
+    }
+
+    /// A follower at the same configuration that is moved by other values.
+    fn given(&self, py: Python<'_>, names: Vec<String>) -> PyResult<Self> {
+        let found = py.detach(|| self.with(|native| native.given(names)));
+        or_raise(py, found).map(Follower::from)
+    }
+
+    /// The values of the drivers that are left out.
+    fn left_out(&self) -> Vec<Value> {
+        let all = self.with(|native| native.here().left_out());
+        all.into_iter().map(|driver| (driver.name, driver.unit, driver.value)).collect()
+    }
+
+    /// The efforts of the values for rates of them.
+    fn efforts(&self, py: Python<'_>, rates: Vec<(String, [f64; 2])>) -> PyResult<Vec<Value>> {
+        let all = or_raise(py, self.with(|native| native.efforts(rates)))?;
+        Ok(all.into_iter().map(|one| (one.name, one.unit, one.value)).collect())
     }
 
     /// Moves drivers to these values, and returns q there.

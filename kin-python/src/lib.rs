@@ -13,6 +13,7 @@ mod forces;
 mod given;
 mod held;
 mod law;
+mod map;
 mod measured;
 mod mechanism;
 mod motion;
@@ -49,6 +50,8 @@ mod _native {
     use crate::forces::{Forces, solid_joined, solid_of, solid_turned};
     #[pymodule_export]
     use crate::law::{Law, axis, euler_facing, euler_turned};
+    #[pymodule_export]
+    use crate::map::Map;
     #[pymodule_export]
     use crate::mechanism::Mechanism;
     #[pymodule_export]

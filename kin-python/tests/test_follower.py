@@ -106,3 +106,60 @@ def test_a_circuit_passes_dead_centres():
     assert len(circuit.extremes("rocker.theta")) == 4 or len(circuit.extremes("rocker.theta")) == 2
     with pytest.raises(kin.UnknownName, match="`motor`"):
         four_bar().circuit("crank")
+
+
+def slider_crank():
+    m = kin.Mechanism("slider-crank")
+    crank, rod, slider = m.link("crank", 1), m.link("rod", 2), m.planar("slider", 2.5, 0, 0)
+    m.add("O", kin.revolute(m.ground, crank, (0, 0), crank.start))
+    m.add("A", kin.revolute(crank, rod, crank.end, rod.start))
+    m.add("B", kin.revolute(rod, slider, rod.end, (0, 0)))
+    m.add("guide", kin.prismatic(slider, m.ground, (0, 0), (0, 0), (0, 1), 0))
+    m.add("motor", kin.drive_angle(crank, kin.Law.constant(1)))
+    m.prefer(crank.theta, 1)
+    m.mass(slider, 2.0, (0, 0), 0.1)
+    m.gravity((-9.81, 0))
+    return m.build()
+
+
+def test_other_values_are_given_in_place_of_drivers():
+    system = slider_crank()
+    follower = system.follower(given=["slider.R_x"])
+    here = follower.to({"slider.R_x": 2.5})
+    angle = math.acos((1 + 2.5**2 - 4) / 5)
+    assert here["crank.theta"] == pytest.approx(angle, abs=1e-12)
+    assert here.left_out == {"motor": pytest.approx(angle, abs=1e-12)}
+    assert here.drivers == {"slider.R_x": 2.5} and follower.units == {"slider.R_x": "m"}
+    again = follower.given("motor")
+    assert again.to(motor=0.7)["slider.R_x"] == pytest.approx(math.cos(0.7) + math.sqrt(4 - math.sin(0.7) ** 2))
+    assert follower.efforts() == {"slider.R_x": pytest.approx(2 * 9.81)}
+    with pytest.raises(kin.Error, match="`slider.R_x` and `crank.theta` are given, but .* 1 freedom"):
+        system.follower(given=["slider.R_x", "crank.theta"])
+    with pytest.raises(kin.UnknownName, match="`motor`"):
+        system.follower(given=["crank"])
+
+
+def test_a_map_leads_both_ways():
+    system = slider_crank()
+    forward = system.map(["motor"], ["slider.R_x"])
+    here = forward.to(motor=0.7)
+    sin, cos = math.sin(0.7), math.cos(0.7)
+    root = math.sqrt(4 - sin * sin)
+    assert here["slider.R_x"] == pytest.approx(cos + root, abs=1e-13)
+    assert here.jacobian == pytest.approx(np.array([[-sin - sin * cos / root]]), abs=1e-13)
+    assert here.units == {"motor": "rad", "slider.R_x": "m"}
+    back = forward.inverse.here
+    assert back["motor"] == pytest.approx(0.7, abs=1e-13)
+    assert here.velocities({"motor": 2.0})["slider.R_x"] == pytest.approx(2 * here.jacobian[0, 0])
+    assert here.efforts({"slider.R_x": 3.0})["motor"] == pytest.approx(3 * here.jacobian[0, 0])
+    h = 1e-4
+    rate = forward.jacobian_rate({"motor": 2.0})
+    ends = [forward.to(motor=0.7 + s * h).jacobian[0, 0] for s in (-2, 2)]
+    assert rate[0, 0] == pytest.approx((ends[1] - ends[0]) / (2 * h), abs=1e-6)
+    border = forward.border({"motor": (0.2, 1.2)}, 5)
+    assert [one["motor"] for one in border] == pytest.approx([0.2, 0.45, 0.7, 0.95, 1.2])
+    assert forward.configuration["crank.theta"] == pytest.approx(0.7 + 2 * h)
+    with pytest.raises(KeyError, match="motor"):
+        here["crank"]
+    with pytest.raises(KeyError, match="slider.R_x"):
+        here.efforts({"motor": 1.0})

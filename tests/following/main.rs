@@ -1,5 +1,6 @@
 //! A run stays on its branch, or says that it cannot: coarse grids, toggles, change points.
 
+mod ankle;
 mod between;
 mod campaign;
 mod change_points;

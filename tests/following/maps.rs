@@ -3,7 +3,8 @@
 use kin::prelude::*;
 use kin::solver::{Map, Mapped};
 
-use crate::models::{ANKLE, FourBar, slider_crank};
+use crate::ankle::ANKLE;
+use crate::models::{FourBar, slider_crank};
 
 const MOTORS: [&str; 2] = ["left motor", "right motor"];
 const ANGLES: [&str; 2] = ["pitch.angle", "roll.angle"];

@@ -2,7 +2,8 @@
 
 use kin::prelude::*;
 
-use crate::models::{ANKLE, FourBar, slider_crank};
+use crate::ankle::ANKLE;
+use crate::models::{FourBar, slider_crank};
 
 fn random(seed: u64) -> fastrand::Rng {
     fastrand::Rng::with_seed(seed)

@@ -17,7 +17,12 @@ pub fn pose(asked: &Pose, say: &Say) -> Result<(), Fault> {
     let system = model::system(&asked.model)?;
     let options = SolverOptions::new().allowed_misfit(asked.misfit.share);
     let mut follower = system.solver().options(options).follower(asked.at)?;
-    let values = asked.to.iter().map(|setting| (&setting.name, setting.value));
+    let is_given = !asked.given.is_empty();
+    if is_given {
+        let names = asked.given.iter().map(|setting| &setting.name);
+        follower = follower.given(names).map_err(Fault::asked)?;
+    }
+    let values = asked.to.iter().chain(&asked.given).map(|setting| (&setting.name, setting.value));
     let stopped = match follower.to(values) {
         Ok(_) => None,
         Err(error @ Error::CannotReach(_)) => Some(Fault::Early(Box::new(error))),
@@ -29,7 +34,7 @@ pub fn pose(asked: &Pose, say: &Say) -> Result<(), Fault> {
         say.note(&format!("time stands at {} {time} in `{names}`", asked.at));
     }
     let here = follower.here();
-    let all = rows(&system, here)?;
+    let all = rows(&system, here, is_given)?;
     if let Some(to) = &asked.json {
         put(to, |to| {
             serde_json::to_writer(&mut *to, &as_json(&all))?;
@@ -56,8 +61,8 @@ struct Row {
     unit: String,
 }
 
-/// All numbers of a configuration: drivers, coordinates, measures of joints.
-fn rows(system: &kin::System, here: Configuration<'_>) -> Result<Vec<Row>, Fault> {
+/// All numbers of a configuration: given values, drivers, coordinates, measures of joints.
+fn rows(system: &kin::System, here: Configuration<'_>, is_given: bool) -> Result<Vec<Row>, Fault> {
     let named = |what: &'static str| {
         move |one: NamedValue| Row {
             what,
@@ -66,7 +71,9 @@ fn rows(system: &kin::System, here: Configuration<'_>) -> Result<Vec<Row>, Fault
             unit: one.unit.unwrap_or_default(),
         }
     };
-    let mut rows: Vec<Row> = here.drivers().into_iter().map(named("driver")).collect();
+    let moved = if is_given { "given" } else { "driver" };
+    let mut rows: Vec<Row> = here.drivers().into_iter().map(named(moved)).collect();
+    rows.extend(here.left_out().into_iter().map(named("driver")));
     let names = system.coordinate_names().iter().zip(system.coordinate_units());
     rows.extend(names.zip(here.q()).map(|((name, unit), value)| Row {
         what: "coordinate",
@@ -84,6 +91,7 @@ fn as_json(rows: &[Row]) -> Value {
         own.map(|row| (row.name.clone(), json!(row.value))).collect()
     };
     json!({
+        "given": part("given"),
         "drivers": part("driver"),
         "coordinates": part("coordinate"),
         "measures": part("measure"),

@@ -422,6 +422,55 @@ fn a_point_is_dragged_with_the_motor_released() {
     assert!(words(&unknown).contains("`coupler`"), "{}", words(&unknown));
 }
 
+/// A coordinate is given in place of the driver, and the way leads back.
+#[test]
+fn a_pose_and_a_map_are_found_by_other_given_values() {
+    let m = example("04_four_bar");
+    let json = |of: &[&str]| -> Value {
+        let all: Vec<&str> =
+            of.iter().copied().chain(["--csv", "/dev/null", "--json", "-"]).collect();
+        serde_json::from_str(&data(&all)).expect("JSON")
+    };
+    let number = |of: &Value| of.as_f64().expect("a number");
+    let forward = json(&["pose", &m, "--to", "motor=0.9"]);
+    let rocker = number(&forward["coordinates"]["rocker.theta"]);
+    let given = format!("rocker.theta={rocker:?}");
+    let back = json(&["pose", &m, "--given", &given]);
+    assert_eq!(number(&back["given"]["rocker.theta"]), rocker);
+    let motor = number(&back["drivers"]["motor"]);
+    let map = json(&["map", &m, "--given", &given, "--wanted", "motor"]);
+    assert_eq!(number(&map["wanted"]["motor"]), motor);
+    let slope = number(&map["jacobian"]["motor"]["rocker.theta"]);
+    let there = format!("motor={motor:?}");
+    let other = json(&["map", &m, "--given", &there, "--wanted", "rocker.theta"]);
+    assert!((number(&other["wanted"]["rocker.theta"]) - rocker).abs() < 1e-11, "{other}");
+    assert!((number(&other["jacobian"]["rocker.theta"]["motor"]) * slope - 1.0).abs() < 1e-9);
+    let table = data(&["map", &m, "--given", "motor", "--wanted", "O.angle"]);
+    assert!(table.starts_with("name,value,unit,by motor [rad]\nO.angle,0"), "{table}");
+    let border = data(&[
+        "map",
+        &m,
+        "--given",
+        "motor",
+        "--wanted",
+        "rocker.theta",
+        "--csv",
+        "/dev/null",
+        "--range",
+        "motor=-0.2:0.3",
+        "--points",
+        "6",
+        "--border",
+        "-",
+    ]);
+    let rows = numbers(&border);
+    assert_eq!((rows.len(), rows[0][0], rows[5][0]), (6, -0.2, 0.3));
+    let wrong = done(&["pose", &m, "--given", "crank.theta=1", "--given", "rocker.theta=1"]);
+    let told = words(&wrong);
+    assert_eq!(code(&wrong), 2, "{told}");
+    assert!(told.contains("has 1 freedom") && told.contains("`rocker.theta`"), "{told}");
+}
+
 /// The circuit of a crank that turns round: the rocker swings, the motor never turns back.
 #[test]
 fn a_circuit_is_written_by_arc_length() {

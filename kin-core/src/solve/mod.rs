@@ -29,6 +29,6 @@ pub(crate) mod newton;
 pub mod options;
 pub(crate) mod redundant;
 pub(crate) mod run;
-mod step;
+pub(crate) mod step;
 pub mod sweep;
 pub(crate) mod whole_run;

@@ -36,6 +36,11 @@ impl Instant {
     pub(crate) fn t(&self) -> f64 {
         self.t
     }
+
+    /// Discards the numbers of the time, because laws have changed.
+    pub(crate) fn forget_time(&mut self) {
+        self.t = f64::NAN;
+    }
 }
 
 /// The name of the right side for the jerk in errors.

@@ -29,6 +29,7 @@ from ._design import (
     Tolerance,
 )
 from ._follower import Circuit, CircuitPoint, Configuration, Configurations, Follower
+from ._map import Map, Mapped
 from ._forces import Balance, BodyWrench, Drive, Energy, Forces, Growth, Reaction
 from ._friction import Friction
 from ._functions import (
@@ -195,6 +196,8 @@ __all__ = [
     "fabs",
     "floor",
     "Follower",
+    "Map",
+    "Mapped",
     "force",
     "ground",
     "hypot",

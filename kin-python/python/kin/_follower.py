@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Mapping, Optional
+from typing import Any, Mapping, Optional, Sequence
 
 import numpy as np
 
@@ -18,7 +18,9 @@ class Configuration:
     q: Any
     """The coordinates in the order of `system.names`, read-only.   [m, rad]"""
     drivers: dict[str, float]
-    """The values of all drivers by name."""
+    """The values that the follower moves, by name: those of all drivers, or the given ones."""
+    left_out: dict[str, float]
+    """The values of the drivers that are left out because other values are given, by name."""
     measures: dict[str, float]
     """The measures of all joints by name."""
     motion: Motion
@@ -27,6 +29,7 @@ class Configuration:
     def __init__(self, native: "_native.Follower", names: list[str]) -> None:
         self.q = array(native.q())
         self.drivers = {name: value for name, _, value in native.drivers()}
+        self.left_out = {name: value for name, _, value in native.left_out()}
         self.measures = dict(native.measures())
         self.motion = Motion(native.motion())
         self._names = names
@@ -189,6 +192,14 @@ class Follower:
         """The units of the drivers by name, such as `rad`; None if a unit is unknown."""
         return {name: unit for name, unit, _ in self._native.drivers()}
 
+    def given(self, names: Sequence[str]) -> "Follower":
+        """A follower at the same configuration that is moved by other values than those of the drivers: measures of joints, coordinates
+        or drivers, by name, as many as there are freedoms. The drivers that are not named are left out.
+
+        Raises an error by name: unknown, twice, too many or too few, or dependent on one another.
+        """
+        return Follower(self._native.given(_names(names)), self._system)
+
     @property
     def frozen(self) -> list[str]:
         """Names of the constraints that read time in another way than by a law of time alone. Time stands still in them."""
@@ -204,12 +215,26 @@ class Follower:
 
     def rates(self, velocities: Mapping[str, float], accelerations: Optional[Mapping[str, float]] = None) -> tuple[Any, Any]:
         """q̇ and q̈ where the follower is, for these velocities and accelerations of the drivers; the others are at rest."""
-        second = accelerations or {}
-        names = list(dict.fromkeys([*velocities, *second]))
-        rates = [(name, [float(velocities.get(name, 0.0)), float(second.get(name, 0.0))]) for name in names]
-        qd, qdd = self._native.rates(rates)
+        qd, qdd = self._native.rates(_rates(velocities, accelerations or {}))
         return array(qd), array(qdd)
+
+    def efforts(self, velocities: Optional[Mapping[str, float]] = None, accelerations: Optional[Mapping[str, float]] = None) -> dict[str, float]:
+        """The efforts that masses and loads require of the values that the follower moves, for these velocities and accelerations of the
+        values; the others are at rest. The effort of an angle is a torque, that of a length a force.
+
+        Raises the errors of `System.forces`.
+        """
+        return {name: value for name, _, value in self._native.efforts(_rates(velocities or {}, accelerations or {}))}
 
     def __repr__(self) -> str:
         values = ", ".join(f"{name}={value:.6g}" for name, value in self.drivers.items())
         return f"Follower({values})"
+
+
+def _names(names: Sequence[str]) -> list[str]:
+    return [names] if isinstance(names, str) else list(names)
+
+
+def _rates(velocities: Mapping[str, float], accelerations: Mapping[str, float]) -> list[tuple[str, list[float]]]:
+    names = list(dict.fromkeys([*velocities, *accelerations]))
+    return [(name, [float(velocities.get(name, 0.0)), float(accelerations.get(name, 0.0))]) for name in names]

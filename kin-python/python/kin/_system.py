@@ -11,7 +11,8 @@ from . import _mistakes, _native
 from ._diagnosis import Diagnosis
 from ._errors import Error
 from ._design import Extreme, Extremes, Of, Samples, Sensitivities, Tolerance, _of
-from ._follower import Circuit, Follower
+from ._follower import Circuit, Follower, _names
+from ._map import Map
 from ._released import Released
 from ._forces import Forces
 from ._handles import Coordinate
@@ -323,13 +324,26 @@ class System:
         """Returns an SVG picture of the mechanism at a time of the motion, or of several poses in one picture."""
         return Picture(self._native.picture(motion._native, t, poses))
 
-    def follower(self, t: float = 0.0, **options: Any) -> Follower:
+    def follower(self, t: float = 0.0, *, given: Optional[Sequence[str]] = None, **options: Any) -> Follower:
         """A follower on the branch of the assembled position at time t. It moves by values of drivers instead of by time:
         `follower.to(motor=0.63)`. The options are those of `run`.
 
-        Raises the errors of `position`, and one if no law of time drives the mechanism.
+        `given` names other values by which the follower moves: measures of joints, coordinates or drivers, as many as there are
+        freedoms. The drivers that are not named are left out.
+
+        Raises the errors of `position`, one if no law of time drives the mechanism, and those of `Follower.given`.
         """
-        return Follower(_native.Follower(self._native, t, options or None), self._native)
+        follower = Follower(_native.Follower(self._native, t, options or None), self._native)
+        return follower if given is None else follower.given(given)
+
+    def map(self, given: Sequence[str], wanted: Sequence[str], t: float = 0.0) -> Map:
+        """The map from given values to wanted ones, on the branch of the assembled position at time t: values, slopes, their rates, and
+        efforts by virtual power. Given and wanted are measures of joints, coordinates or drivers, by name.
+
+        Raises the errors of `follower`, and one for an unknown name.
+        """
+        native = _native.Map(_native.Follower(self._native, t, None), _names(given), _names(wanted))
+        return Map(native, self._native)
 
     def released(self, t: float = 0.0) -> Released:
         """The mechanism with its drivers released, at the assembled position at time t. It moves by wishes: `released.drag(coupler, (0.2, 0.1),

@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::ask::follower::frozen::Frozen;
+use crate::ask::follower::path::Path;
 use crate::law::Law;
 use crate::model::formula::laws;
 use crate::outcome::named_value::NamedValue;
@@ -18,6 +19,8 @@ pub(super) struct Driver {
     pub parameter: String,
     /// The name, unit and value.
     pub value: NamedValue,
+    /// The law that the constraint reads.
+    pub path: Path,
 }
 
 /// Finds the drivers of a system at time t0 and pose q, and freezes time in all other constraints.
@@ -37,9 +40,7 @@ pub(super) fn take(system: &mut System, t0: f64, q: &[f64]) -> (Vec<Driver>, Vec
         }
         drivers.extend(found);
     }
-    for driver in &drivers {
-        driver.rest(system);
-    }
+    install(&mut drivers, system);
     (drivers, frozen)
 }
 
@@ -64,7 +65,8 @@ fn of_block(system: &System, block: &Block, k: usize, (t0, q): (f64, &[f64])) ->
     let driver = |((name, unit), parameter): ((String, Option<String>), String)| {
         let value = values.iter().find(|(known, _)| *known == parameter)?.1;
         let unit = unit.map(|unit| system.unit_words().in_own_words(&unit).to_string());
-        Some(Driver { block: k, parameter, value: NamedValue { name, unit, value } })
+        let path = Path::at(value);
+        Some(Driver { block: k, parameter, value: NamedValue { name, unit, value }, path })
     };
     let found: Option<Vec<Driver>> =
         names.into_iter().zip(units).zip(parameters).map(driver).collect();
@@ -74,15 +76,23 @@ fn of_block(system: &System, block: &Block, k: usize, (t0, q): (f64, &[f64])) ->
     found.filter(|found| found.iter().all(settable)).unwrap_or_default()
 }
 
+/// Gives each driver a law that it shares with no other system, at rest at its value.
+pub(super) fn install(drivers: &mut [Driver], system: &mut System) {
+    for driver in drivers {
+        driver.path = Path::at(driver.value.value);
+        system.set_law(driver.block, &driver.parameter, &driver.path.law());
+    }
+}
+
 impl Driver {
     /// Takes the driver to rest at its value.
-    pub(super) fn rest(&self, system: &mut System) {
-        self.set(system, Law::constant(self.value.value));
+    pub(super) fn rest(&self) {
+        self.path.lead([self.value.value, 0.0, 0.0]);
     }
 
-    /// Replaces the law of the driver.
-    pub(super) fn set(&self, system: &mut System, law: Law) {
-        system.set_law(self.block, &self.parameter, &law);
+    /// Lets the driver run at this velocity, from its value at time 0.
+    pub(super) fn run(&self, velocity: f64) {
+        self.path.lead([self.value.value, velocity, 0.0]);
     }
 }
 

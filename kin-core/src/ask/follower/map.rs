@@ -4,7 +4,6 @@ use nalgebra::{DMatrix, DVector};
 
 use super::drivers::{Driver, Laws, laws_at, least_squares, values_at};
 use super::{Follower, Whole};
-use crate::law::Law;
 use crate::outcome::error::{Error, Result};
 use crate::outcome::named_value::NamedValue;
 use crate::system::System;
@@ -284,7 +283,7 @@ impl Map {
     fn along(&mut self, rates: &[f64]) -> Result<[Vec<f64>; 2]> {
         let Follower { system, drivers, q, .. } = &mut self.follower;
         for (driver, rate) in drivers.iter().zip(rates) {
-            driver.set(system, Law::polynomial(&[driver.value.value, *rate]));
+            driver.run(*rate);
         }
         let qd = system.velocity(q, 0.0)?;
         let qdd = system.acceleration(q, &qd, 0.0)?;
@@ -300,7 +299,7 @@ impl Map {
                 }
                 What::Driver(k) => {
                     if led[k].is_none() {
-                        lead(&mut self.whole, k, orders, &mut led)?;
+                        lead(&self.whole, k, orders, &mut led)?;
                     }
                     led[k].unwrap_or([f64::NAN; 2])
                 }
@@ -435,7 +434,7 @@ fn measured(system: &System, place: MeasurePlace, [q, qd, qdd]: [&[f64]; 3]) -> 
 
 /// Computes u̇ and ü of all laws of the constraint of driver k along a motion.
 fn lead(
-    whole: &mut Whole,
+    whole: &Whole,
     k: usize,
     [q, qd, qdd]: [&[f64]; 3],
     led: &mut [Option<[f64; 2]>],
@@ -451,13 +450,13 @@ fn lead(
     let Some(Laws { values, c_u }) = laws_at(&whole.system, block, &laws, q) else {
         return Err(singular(&whole.system));
     };
-    let set = |system: &mut System, drivers: &[Driver], rates: &[f64]| {
+    let run = |drivers: &[Driver], rates: &[f64]| {
         for ((j, value), rate) in own.iter().zip(&values).zip(rates) {
-            drivers[*j].set(system, Law::polynomial(&[*value, *rate]));
+            drivers[*j].path.lead([*value, *rate, 0.0]);
         }
     };
-    let Whole { system, drivers } = whole;
-    set(system, drivers, &vec![0.0; own.len()]);
+    let Whole { system, drivers } = &*whole;
+    run(drivers, &vec![0.0; own.len()]);
     let rows = system.equations().blocks[block].rows();
     let model = system.model();
     let point = model.linearize(q, 0.0).map_err(|bad| model.not_finite(bad, q, 0.0))?;
@@ -472,7 +471,7 @@ fn lead(
     };
     let [first, last] = [along(qd), along(qdd)];
     let Some(velocity) = least_squares(&c_u, &-first) else { return Err(singular(system)) };
-    set(system, drivers, velocity.as_slice());
+    run(drivers, velocity.as_slice());
     let model = system.model();
     let bend = model.second_order(q, 0.0, qd, 1.0).map_err(|bad| model.not_finite(bad, q, 0.0))?;
     let bend = DVector::from_column_slice(&bend[rows]);

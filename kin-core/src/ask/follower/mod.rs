@@ -5,11 +5,12 @@ mod drivers;
 mod frozen;
 mod map;
 mod moved;
+mod path;
 mod prescribed;
 mod roles;
+mod small;
 
 use crate::ask::solver::Solver;
-use crate::law::Law;
 use crate::outcome::error::{Error, Result};
 use crate::outcome::motion::Motion;
 use crate::outcome::named_value::NamedValue;
@@ -20,6 +21,7 @@ use crate::system::{Solution, System, time};
 pub use configuration::Configuration;
 use drivers::Driver;
 pub use map::{Map, Mapped};
+use small::Small;
 
 /// Stands on one branch of a mechanism and moves along it by values of its drivers.
 ///
@@ -46,10 +48,9 @@ pub use map::{Map, Mapped};
 /// # Ok(())
 /// # }
 /// ```
-#[derive(Clone, Debug)]
 pub struct Follower {
     /// The system, with laws of a path parameter in place of those of time. At 0 they have the
-    /// present values.
+    /// present values. No other follower shares these laws.
     pub(in crate::ask) system: System,
     pub(in crate::ask) options: SolverOptions,
     t0: f64,
@@ -61,13 +62,58 @@ pub struct Follower {
     regular: Option<Regular>,
     /// The mechanism with all of its drivers, if other values are given instead of them.
     whole: Option<Box<Whole>>,
+    /// The solver of small steps, if the last move was one.
+    small: Small,
 }
 
 /// A mechanism with all of its drivers at rest. Time stands still in all other constraints.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 struct Whole {
     system: System,
     drivers: Vec<Driver>,
+}
+
+impl Clone for Whole {
+    fn clone(&self) -> Self {
+        Whole::of(&self.system, &self.drivers)
+    }
+}
+
+impl Clone for Follower {
+    fn clone(&self) -> Self {
+        let Whole { system, drivers } = Whole::of(&self.system, &self.drivers);
+        Follower {
+            system,
+            options: self.options.clone(),
+            t0: self.t0,
+            drivers,
+            frozen: self.frozen.clone(),
+            q: self.q.clone(),
+            regular: self.regular.clone(),
+            whole: self.whole.clone(),
+            small: Small::default(),
+        }
+    }
+}
+
+impl std::fmt::Debug for Follower {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Follower")
+            .field("system", &self.system)
+            .field("drivers", &self.drivers())
+            .field("q", &self.q)
+            .finish()
+    }
+}
+
+impl Whole {
+    /// Returns a copy with laws that it shares with no other system.
+    fn of(system: &System, drivers: &[Driver]) -> Self {
+        let mut system = system.clone();
+        let mut drivers = drivers.to_vec();
+        drivers::install(&mut drivers, &mut system);
+        Whole { system, drivers }
+    }
 }
 
 /// A position shortly before a singular one.
@@ -106,7 +152,17 @@ impl Solver<'_> {
             });
         }
         let options = self.options.clone();
-        Ok(Follower { system, options, t0, drivers, frozen, q, regular: None, whole: None })
+        Ok(Follower {
+            system,
+            options,
+            t0,
+            drivers,
+            frozen,
+            q,
+            regular: None,
+            whole: None,
+            small: Small::default(),
+        })
     }
 }
 
@@ -121,8 +177,10 @@ impl Follower {
         &mut self,
         values: impl IntoIterator<Item = (impl AsRef<str>, f64)>,
     ) -> Result<Configuration<'_>> {
-        let targets = self.targets(values)?;
-        self.move_to(&targets)?;
+        let mut targets = std::mem::take(&mut self.small.targets);
+        let moved = self.targets(values, &mut targets).and_then(|()| self.move_to(&targets));
+        self.small.targets = targets;
+        moved?;
         Ok(self.here())
     }
 
@@ -177,8 +235,7 @@ impl Follower {
             of_driver[k] = rate;
         }
         for (driver, [speed, acceleration]) in self.drivers.iter().zip(of_driver) {
-            let law = Law::polynomial(&[driver.value.value, speed, 0.5 * acceleration]);
-            driver.set(&mut self.system, law);
+            driver.path.lead([driver.value.value, speed, 0.5 * acceleration]);
         }
         let mut found =
             self.system.solver().options(self.options.clone()).solve_at(0.0, &self.q)?;
@@ -214,25 +271,26 @@ impl Follower {
     /// drivers are at rest.
     pub(in crate::ask) fn let_run(&mut self, name: &str) -> Result<NamedValue> {
         let k = self.number(name)?;
-        for driver in &self.drivers {
-            driver.set(&mut self.system, Law::constant(driver.value.value));
-        }
-        self.drivers[k].set(&mut self.system, Law::ramp(1.0));
+        self.drivers.iter().for_each(Driver::rest);
+        self.drivers[k].path.lead([0.0, 1.0, 0.0]);
         Ok(self.drivers[k].value.clone())
     }
 
-    /// Returns the values of all drivers with the given ones changed.
+    /// Writes the values of all drivers with the given ones changed.
     fn targets(
-        &self,
+        &mut self,
         values: impl IntoIterator<Item = (impl AsRef<str>, f64)>,
-    ) -> Result<Vec<f64>> {
-        let mut targets: Vec<f64> = self.drivers.iter().map(|driver| driver.value.value).collect();
-        let mut given = vec![false; targets.len()];
+        targets: &mut Vec<f64>,
+    ) -> Result<()> {
+        targets.clear();
+        targets.extend(self.drivers.iter().map(|driver| driver.value.value));
+        self.small.given.clear();
+        self.small.given.resize(targets.len(), false);
         for (name, value) in values {
             let name = name.as_ref();
             let k = self.number(name)?;
             self.check_finite(name, "value", value)?;
-            if std::mem::replace(&mut given[k], true) {
+            if std::mem::replace(&mut self.small.given[k], true) {
                 return Err(Error::DuplicateName {
                     what: "values of a driver",
                     name: name.to_string(),
@@ -240,7 +298,7 @@ impl Follower {
             }
             targets[k] = value;
         }
-        Ok(targets)
+        Ok(())
     }
 
     fn number(&self, name: &str) -> Result<usize> {

@@ -2,7 +2,6 @@
 
 use super::{Follower, Regular};
 use crate::ask::diagnosis::explain::EXPLAIN;
-use crate::law::Law;
 use crate::outcome::error::{CannotReach, Error, Result};
 use crate::outcome::motion::{Motion, SingularPosition};
 use crate::outcome::named_value::NamedValue;
@@ -23,6 +22,9 @@ impl Follower {
     /// Moves all drivers to these values. After an error the follower is at the singular position,
     /// or where it was.
     pub(super) fn move_to(&mut self, targets: &[f64]) -> Result<()> {
+        if self.step_to(targets) {
+            return Ok(());
+        }
         let (start, q) = match &self.regular {
             Some(Regular { values, q }) => (values.clone(), q.clone()),
             None => (self.values(), self.q.clone()),
@@ -45,7 +47,7 @@ impl Follower {
             return Ok(q.to_vec());
         }
         for ((driver, start), target) in self.drivers.iter().zip(start).zip(targets) {
-            driver.set(&mut self.system, Law::polynomial(&[*target, target - start]));
+            driver.path.lead([*target, target - start, 0.0]);
         }
         go(&self.system, &self.options, q)
     }
@@ -109,10 +111,10 @@ impl Follower {
     }
 
     /// Takes the drivers to rest at these values.
-    fn rest_at(&mut self, values: &[f64]) {
+    pub(super) fn rest_at(&mut self, values: &[f64]) {
         for (driver, value) in self.drivers.iter_mut().zip(values) {
             driver.value.value = *value;
-            driver.set(&mut self.system, Law::constant(*value));
+            driver.rest();
         }
     }
 }

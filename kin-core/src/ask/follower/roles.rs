@@ -1,7 +1,9 @@
 //! Roles: any measures and coordinates as the given values of a follower, in place of its drivers.
 
-use super::drivers::{Driver, values_at};
+use super::drivers::{Driver, install, values_at};
+use super::path::Path;
 use super::prescribed::Prescribed;
+use super::small::Small;
 use super::{Follower, Whole};
 use crate::coordinates::layout::{Kind, Layout};
 use crate::coordinates::{Coordinate, PlanarBody, SpatialBody};
@@ -65,7 +67,9 @@ impl Follower {
                 Role::Driver(k) => drivers.push(whole.drivers[k].clone()),
                 Role::Other { value, constraint, parameter } => {
                     others.push((value.name.clone(), constraint));
-                    drivers.push(Driver { block: usize::MAX, parameter: parameter.into(), value });
+                    let path = Path::at(value.value);
+                    let parameter = parameter.into();
+                    drivers.push(Driver { block: usize::MAX, parameter, value, path });
                 }
             }
         }
@@ -73,9 +77,7 @@ impl Follower {
         let mut system = whole.system.with_others(&out, others);
         system.set_initial(&self.q)?;
         place_blocks(&mut drivers, &out, count, &whole.system);
-        for driver in &drivers {
-            driver.rest(&mut system);
-        }
+        install(&mut drivers, &mut system);
         check(&system, &self.q, &drivers)?;
         Ok(Follower {
             system,
@@ -86,19 +88,16 @@ impl Follower {
             q: self.q.clone(),
             regular: None,
             whole: Some(Box::new(whole)),
+            small: Small::default(),
         })
     }
 
     /// Returns the mechanism with all of its drivers, at rest at the values that they have here.
     pub(super) fn whole_here(&self) -> Whole {
-        let mut whole = match &self.whole {
+        match &self.whole {
             Some(whole) => (**whole).clone(),
-            None => Whole { system: self.system.clone(), drivers: self.drivers.clone() },
-        };
-        for driver in &whole.drivers {
-            driver.rest(&mut whole.system);
+            None => Whole::of(&self.system, &self.drivers),
         }
-        whole
     }
 
     /// Notes the values of the drivers that are left out, after a move.

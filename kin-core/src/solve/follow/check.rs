@@ -14,7 +14,7 @@ use crate::coordinates::units::Unit;
 use crate::numbers::padded::{self, Padded};
 use crate::solve::newton::Newton;
 use crate::system::System;
-use crate::system::evaluate::Instant;
+use crate::system::evaluate::{Equations, Instant};
 
 /// The permitted error of a prediction, as a share of the smallest pivot. \[-\]
 pub(super) const EASY: f64 = 0.05;
@@ -131,6 +131,20 @@ impl Check {
     #[inline(always)]
     pub(crate) fn ends_suffice(&mut self, from: f64, to: f64, pivot: f64) -> bool {
         self.explicit || self.drive.ends_suffice(from, to, pivot)
+    }
+
+    /// Returns true if the ends of any step show everything, whatever the velocities of the laws
+    /// are. Laws with velocities that are unlike one another must be in place.
+    #[cold]
+    pub(crate) fn ends_always_suffice(&mut self, equations: &Equations, instant: &Instant) -> bool {
+        self.explicit || self.drive.ends_always_suffice(equations, instant)
+    }
+
+    /// Discards everything known of the laws.
+    pub(crate) fn forget_laws(&mut self, equations: &Equations) {
+        if !self.explicit {
+            self.drive.forget(equations);
+        }
     }
 
     /// Returns true if equations without bounds may be sampled before the next single step examines

@@ -209,6 +209,28 @@ impl Drive {
         known && DRIFT * self.off.at((to - from).abs()) * self.pivot <= EASY * pivot * pivot
     }
 
+    /// Returns true if no signal bends over all times: a signal that is a straight function of laws
+    /// hides nothing, at any velocity. Notes it for all steps.
+    #[cold]
+    pub(crate) fn ends_always_suffice(&mut self, equations: &Equations, instant: &Instant) -> bool {
+        let all = self.bound(equations, instant, [f64::NEG_INFINITY, f64::INFINITY], false);
+        let terms = || self.sources.iter().flat_map(|source| &source.terms);
+        self.ends_suffice = all
+            && self.sources.iter().all(|source| source.signals.is_some() && !source.is_sampled)
+            && terms().all(|term| term.bound == Bound::default());
+        if !self.ends_suffice {
+            self.forget(equations);
+        }
+        self.ends_suffice
+    }
+
+    /// Discards all bounds, because laws have changed.
+    pub(crate) fn forget(&mut self, equations: &Equations) {
+        self.ends_suffice = equations.moved_by_time().next().is_none();
+        (self.stretch, self.longest) = ([f64::NAN; 2], f64::INFINITY);
+        (self.steps, self.looks, self.samples) = (0, 0, 0);
+    }
+
     fn covers(&self, from: f64, to: f64) -> bool {
         self.stretch[0] <= from.min(to) && from.max(to) <= self.stretch[1]
     }

@@ -128,6 +128,55 @@ impl<'a> Newton<'a> {
         }
     }
 
+    /// Returns the present point for the same equations in another copy of the system.
+    pub(in crate::solve) fn on<'b>(
+        self,
+        system: &'b System,
+        options: &'b SolverOptions,
+    ) -> Newton<'b> {
+        let Newton {
+            q,
+            qd,
+            qdd,
+            qddd,
+            c,
+            before,
+            instant,
+            linear,
+            sizes,
+            turned,
+            shares,
+            allowed,
+            residual,
+            steps,
+            steps_before,
+            jumps,
+            has_branches,
+            ..
+        } = self;
+        Newton {
+            system,
+            options,
+            q,
+            qd,
+            qdd,
+            qddd,
+            c,
+            before,
+            instant,
+            linear,
+            sizes,
+            turned,
+            shares,
+            allowed,
+            residual,
+            steps,
+            steps_before,
+            jumps,
+            has_branches,
+        }
+    }
+
     /// Sets the characteristic sizes of the coordinates.
     fn set_sizes(&mut self, sizes: Vec<f64>) {
         self.linear.set_sizes(&sizes);

@@ -6,6 +6,7 @@
 
 pub(super) mod advance;
 mod beyond;
+pub(crate) mod moves;
 pub(super) mod predictor;
 mod resumed;
 mod stepper;

@@ -64,6 +64,37 @@ impl<'a> Stepper<'a> {
         }
     }
 
+    /// Returns the stepper of the same equations in another copy of the system.
+    pub(super) fn on<'b>(self, system: &'b System, options: &'b SolverOptions) -> Stepper<'b> {
+        let Stepper {
+            newton,
+            last,
+            q,
+            failed,
+            predictor,
+            first_pivot,
+            untouched,
+            check,
+            passed,
+            bifurcations,
+            effort,
+        } = self;
+        let newton = newton.on(system, options);
+        Stepper {
+            newton,
+            last,
+            q,
+            failed,
+            predictor,
+            first_pivot,
+            untouched,
+            check,
+            passed,
+            bifurcations,
+            effort,
+        }
+    }
+
     /// Solves at time t, from the guess or from the last solved time.
     pub fn reach(&mut self, t: f64) -> Result<Outcome> {
         self.newton.steps_before = self.newton.steps;
