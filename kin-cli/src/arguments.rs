@@ -88,6 +88,10 @@ pub struct Motion {
     /// Takes the other branch at the change points of these numbers, counted from 0
     #[arg(long, value_delimiter = ',', value_name = "NUMBERS", value_parser = change_point)]
     pub other_branch_at: Vec<usize>,
+    /// The direction in which a run leaves the dead centre at which it begins: a coordinate or a
+    /// planar body, with +1 or -1
+    #[arg(long, value_name = "NAME=SIGN")]
+    pub start: Option<Setting>,
     /// How much work the run may spend on smaller steps of time than those asked for, as a multiple
     /// of the usual
     #[arg(long, value_name = "MULTIPLE", default_value_t = 1.0, value_parser = times::plain)]

@@ -5,6 +5,7 @@ use std::io::Read;
 use kin::Mechanism;
 use kin::data::MechanismData;
 use kin::results::{SingularKind, SingularPosition};
+use kin::solver::Start;
 use kin::{Error, Follow, Motion, SolverOptions, System};
 
 use crate::arguments::{self, Engine, Model};
@@ -122,7 +123,11 @@ pub fn motion(
     asked: &arguments::Motion,
     jerk: bool,
 ) -> Result<(Motion, Option<Fault>), Fault> {
-    match system.solver().options(options(asked, jerk)).run(&asked.times.0) {
+    let mut solver = system.solver().options(options(asked, jerk));
+    if let Some(Setting { name, value }) = &asked.start {
+        solver = solver.start(Start::towards(name, *value));
+    }
+    match solver.run(&asked.times.0) {
         Ok(motion) => turned(&motion, &asked.other_branch_at).map(|()| (motion, None)),
         Err(error) => match error.motion().filter(|motion| !motion.is_empty()).cloned() {
             Some(before) => Ok((before, Some(Fault::Early(Box::new(error))))),

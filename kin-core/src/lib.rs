@@ -89,7 +89,7 @@ pub mod mechanism {
 /// Options and results of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
 pub mod solver {
     pub use crate::ask::circuit::{Circuit, CircuitPoint};
-    pub use crate::ask::follower::{Configuration, Follower, Map, Mapped};
+    pub use crate::ask::follower::{Configuration, Follower, Map, Mapped, Start};
     pub use crate::ask::released::{Granted, Reached, Released, Wish};
     pub use crate::ask::solver::At;
     pub use crate::outcome::named_value::NamedValue;

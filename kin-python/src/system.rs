@@ -7,6 +7,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use kin::SolverOptions;
 use kin::diagnosis::Diagnosis;
 use kin::results::{Extremes, Solution};
+use kin::solver::Start;
 use kin_view::Scene;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict};
@@ -165,13 +166,14 @@ impl System {
     }
 
     /// The run; `progress` is called with the times that are done and all of them.
-    #[pyo3(signature = (times, keywords = None, progress = None))]
+    #[pyo3(signature = (times, keywords = None, progress = None, start = None))]
     fn run(
         &self,
         py: Python<'_>,
         times: &[u8],
         keywords: Option<&Bound<'_, PyDict>>,
         progress: Option<Py<PyAny>>,
+        start: Option<(String, f64)>,
     ) -> PyResult<Motion> {
         let system = self.now();
         let times = numbers::read(times)?;
@@ -184,7 +186,11 @@ impl System {
                     stop.store(true, Ordering::Relaxed);
                 }
             };
-            system.solver().options(options).progress(look).stop_when(&stop).run(&times)
+            let solver = system.solver().options(options).progress(look).stop_when(&stop);
+            match start {
+                Some((name, sign)) => solver.start(Start::towards(name, sign)).run(&times),
+                None => { solver }.run(&times),
+            }
         });
         watch.end(run.is_ok())?;
         or_raise(py, run).map(Motion::from)

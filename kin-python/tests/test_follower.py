@@ -163,3 +163,23 @@ def test_a_map_leads_both_ways():
         here["crank"]
     with pytest.raises(KeyError, match="slider.R_x"):
         here.efforts({"motor": 1.0})
+
+
+def test_a_run_leaves_a_dead_centre_in_the_stated_direction():
+    m = kin.Mechanism("press")
+    crank, rod, slider = m.link("crank", 1), m.link("rod", 2), m.planar("slider", 2.9, 0, 0)
+    m.add("O", kin.revolute(m.ground, crank, (0, 0), crank.start))
+    m.add("A", kin.revolute(crank, rod, crank.end, rod.start))
+    m.add("B", kin.revolute(rod, slider, rod.end, (0, 0)))
+    m.add("guide", kin.prismatic(slider, m.ground, (0, 0), (0, 0), (0, 1), 0))
+    m.add("cylinder", kin.drive(slider.x, kin.Law.polynomial([3, 0, -0.5])))
+    system = m.build()
+    times = np.linspace(0, 1, 11)
+    for sign in (1, -1):
+        motion = system.run(times, start={"crank": sign})
+        assert motion.qd[0][2] == pytest.approx(sign * math.sqrt(2 / 3), abs=1e-12)
+        assert motion.q[-1][2] == pytest.approx(sign * math.acos((2.5**2 - 3) / 5), abs=1e-11)
+    with pytest.raises(kin.Error, match=r'dead centre of `cylinder` .*start=\{"crank'):
+        system.run(times)
+    with pytest.raises(ValueError, match="one coordinate or body"):
+        system.run(times, start={})

@@ -18,8 +18,13 @@ pub struct Ankle {
 pub const ANKLE: Ankle = Ankle { arm: 0.04, rod: 0.15, axis: [-0.01, 0.15], heel: [0.05, 0.03] };
 
 impl Ankle {
-    /// The mechanism with both motors at zero.
+    /// The system with both motors at zero.
     pub fn system(&self) -> kin::Result<System> {
+        self.mechanism()?.build()
+    }
+
+    /// The mechanism with both motors at zero.
+    pub fn mechanism(&self) -> kin::Result<Mechanism> {
         let Ankle { arm, rod, axis: [x, z], heel: [back, side] } = *self;
         let mut m = Mechanism::new("ankle");
         let zero = vec3(0.0, 0.0, 0.0);
@@ -43,7 +48,7 @@ impl Ankle {
             let motor = spatial::drive_turn(crank, Ground, along_y, along_y, Law::constant(0.0));
             m.add(&format!("{name} motor"), motor)?;
         }
-        m.build()
+        Ok(m)
     }
 
     /// The angles of both motors at a pitch and a roll, on the branch at rest.

@@ -6,12 +6,14 @@ mod campaign;
 mod change_points;
 mod circuits;
 mod coarse;
+mod dead_centres;
 mod effort;
 mod failures;
 mod follower;
 mod maps;
 mod models;
 mod moved;
+mod moves;
 mod pairs;
 mod parallelograms;
 mod roles;
@@ -21,6 +23,9 @@ mod toggles;
 mod engines;
 #[path = "../data/families.rs"]
 mod families;
+#[allow(dead_code)]
+#[path = "../data/own.rs"]
+mod own;
 #[allow(dead_code)]
 #[path = "../data/steps.rs"]
 mod steps;

@@ -471,6 +471,32 @@ fn a_pose_and_a_map_are_found_by_other_given_values() {
     assert!(told.contains("has 1 freedom") && told.contains("`rocker.theta`"), "{told}");
 }
 
+/// A press begins at its dead centre, in the stated direction; without one the command asks for it.
+#[test]
+fn a_run_leaves_a_dead_centre_in_the_stated_direction() {
+    use kin::prelude::*;
+    let mut m = Mechanism::new("press");
+    let crank = m.link("crank", 1.0).expect("a link");
+    let rod = m.link("rod", 2.0).expect("a link");
+    let slider = m.planar("slider", pose(2.9, 0.0, 0.0)).expect("a body");
+    let zero = vec2(0.0, 0.0);
+    let guide = prismatic(slider, Ground, zero, zero, vec2(0.0, 1.0), 0.0);
+    let law = Law::polynomial(&[3.0, 0.0, -0.5]);
+    m.add("O", revolute(Ground, crank, zero, crank.start())).expect("adds");
+    m.add("A", revolute(crank, rod, crank.end(), rod.start())).expect("adds");
+    m.add("B", revolute(rod, slider, rod.end(), zero)).expect("adds");
+    m.add("guide", guide).expect("adds");
+    m.add("cylinder", drive(slider.x(), law)).expect("adds");
+    let file =
+        crate::file("press.json", &serde_json::to_string(&m.data().expect("data")).expect("JSON"));
+    let run = ["measure", &file, "crank.theta", "--times", "0:1:11"];
+    let table = data(&[&run[..], &["--start", "crank=-1"]].concat());
+    let last = numbers(&table)[10][1];
+    assert!((last + (3.25_f64 / 5.0).acos()).abs() < 1e-11, "{last}");
+    let told = words(&done(&run));
+    assert!(told.contains("a dead centre of `cylinder`") && told.contains("`--start "), "{told}");
+}
+
 /// The circuit of a crank that turns round: the rocker swings, the motor never turns back.
 #[test]
 fn a_circuit_is_written_by_arc_length() {

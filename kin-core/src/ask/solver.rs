@@ -4,6 +4,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::ask::diagnosis::explain::{EXPLAIN, explained};
 use crate::ask::diagnosis::{self, Diagnosis};
+use crate::ask::follower::dead_centre;
 use crate::outcome::error::{Error, Result};
 use crate::solve::assembly::{Assemblies, Assembly, Label, modes};
 use crate::solve::explain::Start;
@@ -72,6 +73,7 @@ pub struct Solver<'a> {
     pub(crate) options: SolverOptions,
     progress: Option<Progress<'a>>,
     stop: Option<&'a AtomicBool>,
+    start: Option<dead_centre::Start>,
 }
 
 /// Receives how many times are done, of how many.
@@ -80,7 +82,13 @@ type Progress<'a> = Box<dyn FnMut(usize, usize) + 'a>;
 impl System {
     /// Returns the solver of this system, with default options.
     pub fn solver(&self) -> Solver<'_> {
-        Solver { system: self, options: SolverOptions::default(), progress: None, stop: None }
+        Solver {
+            system: self,
+            options: SolverOptions::default(),
+            progress: None,
+            stop: None,
+            start: None,
+        }
     }
 }
 
@@ -107,6 +115,42 @@ impl<'a> Solver<'a> {
     /// contains the motion computed so far.
     pub fn stop_when(mut self, stop: &'a AtomicBool) -> Self {
         self.stop = Some(stop);
+        self
+    }
+
+    /// States the direction in which a run leaves the dead centre at which it begins.
+    ///
+    /// The driver must be at rest at the first time, with an acceleration other than zero, so that
+    /// all velocities and accelerations are finite. Exactly one driver moves.
+    ///
+    /// ```
+    /// use kin::prelude::*;
+    /// use kin::solver::Start;
+    ///
+    /// # fn main() -> kin::Result<()> {
+    /// let mut m = Mechanism::new("press");
+    /// let crank = m.link("crank", 1.0)?;
+    /// let rod = m.link("rod", 2.0)?;
+    /// let slider = m.planar("slider", pose(2.9, 0.0, 0.0))?;
+    /// let zero = vec2(0.0, 0.0);
+    /// m.add("O", revolute(Ground, crank, zero, crank.start()))?;
+    /// m.add("A", revolute(crank, rod, crank.end(), rod.start()))?;
+    /// m.add("B", revolute(rod, slider, rod.end(), zero))?;
+    /// m.add("guide", prismatic(slider, Ground, zero, zero, vec2(0.0, 1.0), 0.0))?;
+    /// // The cylinder begins where crank and rod are in line.
+    /// m.add("cylinder", drive(slider.x(), Law::polynomial(&[3.0, 0.0, -0.5])))?;
+    /// let system = m.build()?;
+    ///
+    /// let times = linspace(0.0, 1.0, 101);
+    /// let mut solver = system.solver().start(Start::towards("crank", 1));
+    /// let motion = solver.run(&times)?;
+    /// let crank = motion.coordinate(crank.theta())?;
+    /// assert!(crank.value.values()[100] > 0.8 && crank.rate.values()[0] > 0.8);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn start(mut self, start: dead_centre::Start) -> Self {
+        self.start = Some(start);
         self
     }
 
@@ -152,10 +196,18 @@ impl<'a> Solver<'a> {
     ///
     /// Errors: the iteration does not converge; a position is singular; a value is not finite; the
     /// flag of [`Solver::stop_when`] stopped the run. Each error carries the motion before the
-    /// failure ([`Error::motion`]).
+    /// failure ([`Error::motion`]). A run that begins at a dead centre asks for
+    /// [`Solver::start`]. A run whose last time is a dead centre, at which the driver comes to rest
+    /// smoothly, is no error.
     pub fn run(&mut self, times: impl AsRef<[f64]>) -> Result<Motion> {
         let times = times.as_ref();
-        let Solver { system, options, progress, stop } = self;
+        let Solver { system, options, progress, stop, start } = self;
+        if start.is_some() {
+            times::check(times)?;
+            options.check_memory(1, times.len(), system.n_coordinates())?;
+            let begun = dead_centre::begun(system, options, times, start.as_ref()).transpose();
+            return system.noted(begun.unwrap_or_else(|| Err(dead_centre::elsewhere(times))));
+        }
         let is_watched = progress.is_some() || stop.is_some();
         let mut watch = |done: usize| {
             if let Some(progress) = progress {
@@ -164,7 +216,8 @@ impl<'a> Solver<'a> {
             !is_set(*stop)
         };
         let watch = is_watched.then_some(&mut watch as &mut dyn FnMut(usize) -> bool);
-        system.noted(whole_run::run(system, times, options, Some(EXPLAIN), watch))
+        let ran = whole_run::run(system, times, options, Some(EXPLAIN), watch);
+        system.noted(ran.or_else(|error| dead_centre::at_an_end(system, options, times, error)))
     }
 
     /// Runs in parts of `size` times each, so that the run needs the memory of one part only.
@@ -207,7 +260,7 @@ impl<'a> Solver<'a> {
         size: usize,
         mut keep: impl FnMut(&Motion) -> Result<()>,
     ) -> Result<()> {
-        let Solver { system, options, progress, stop } = self;
+        let Solver { system, options, progress, stop, .. } = self;
         let size = size.max(1);
         let mut times = times.into_iter().peekable();
         options.check_memory(1, size, system.n_coordinates())?;

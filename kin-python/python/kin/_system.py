@@ -118,7 +118,7 @@ class System:
 
     # Solving.
 
-    def run(self, times: Any, *, progress: Progress = None, **options: Any) -> Motion:
+    def run(self, times: Any, *, progress: Progress = None, start: Optional[Mapping[str, float]] = None, **options: Any) -> Motion:
         """Solves for position, velocity and acceleration at each of the times, which must only increase or only
         decrease. [s]
 
@@ -126,6 +126,9 @@ class System:
         "unchecked"), `other_branch_at` (indices of change points), `allowed_misfit`, `max_iterations`, `predict`,
         `rescue`, `halvings`, `memory`, `effort`, `residual_only`. Kin calls `progress` with the number of computed
         times and the number of all times; True shows a bar of tqdm.
+
+        `start={"crank": 1}` states the direction in which a run leaves the dead centre at which it begins: the angle of the body (or a
+        coordinate such as `crank.theta`) grows at first, or falls with -1. The driver must be at rest there.
 
         Warns (`kin.MotionWarning`) of common mistakes: numbers that look like degrees, a first position far from the
         drawn position, a start near a singular position, a table that ends before the run. `motion.warnings` lists the
@@ -135,7 +138,7 @@ class System:
         mistakes in this motion.
         """
         try:
-            motion = self._run(times, progress=progress, **options)
+            motion = self._run(times, progress=progress, start=start, **options)
         except Error as error:
             if error.motion is not None:
                 error.motion._warn()
@@ -143,12 +146,15 @@ class System:
         motion._warn()
         return motion
 
-    def _run(self, times: Any, *, progress: Progress = None, **options: Any) -> Motion:
+    def _run(self, times: Any, *, progress: Progress = None, start: Optional[Mapping[str, float]] = None, **options: Any) -> Motion:
         """The same without warnings."""
+        if start is not None and len(start) != 1:
+            raise ValueError(f"start: one coordinate or body with 1 or -1, not {dict(start)!r}")
+        towards = None if start is None else next((name, float(sign)) for name, sign in start.items())
         if progress is None:
-            return Motion(self._native.run(as_bytes(times), options or None))
+            return Motion(self._native.run(as_bytes(times), options or None, None, towards))
         with _Bar(progress, self.name) as told:
-            return Motion(self._native.run(as_bytes(times), options or None, told))
+            return Motion(self._native.run(as_bytes(times), options or None, told, towards))
 
     def position(self, t: float, q: Any = None, **options: Any) -> Solution:
         """Solves for position, velocity and acceleration at one time, from the guess or from q.

@@ -1,6 +1,7 @@
 //! A follower: the position of a mechanism by values of its drivers instead of by time.
 
 mod configuration;
+pub(in crate::ask) mod dead_centre;
 mod drivers;
 mod frozen;
 mod map;
@@ -19,6 +20,7 @@ use crate::solve::options::SolverOptions;
 use crate::system::{Solution, System, time};
 
 pub use configuration::Configuration;
+pub use dead_centre::Start;
 use drivers::Driver;
 pub use map::{Map, Mapped};
 use small::Small;

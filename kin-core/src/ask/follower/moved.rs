@@ -1,7 +1,9 @@
 //! One move of a follower: a run along the straight line between values of drivers.
 
+use super::small::Small;
 use super::{Follower, Regular};
 use crate::ask::diagnosis::explain::EXPLAIN;
+use crate::ask::proof::Proof;
 use crate::outcome::error::{CannotReach, Error, Result};
 use crate::outcome::motion::{Motion, SingularPosition};
 use crate::outcome::named_value::NamedValue;
@@ -41,15 +43,72 @@ impl Follower {
         }
     }
 
+    /// Moves the named drivers as [`Follower::to`] does, over so many equal steps, and proves by
+    /// interval bounds that each step stays on its branch: there is exactly one curve of positions
+    /// near the way, and the computed positions are on it. The follower moves also where a step is
+    /// not proved.
+    ///
+    /// The times of the proof are −1 at the beginning of the move and 0 at its end; the values of
+    /// the drivers are linear in the time.
+    ///
+    /// Errors: those of [`Follower::to`] and of [`System::prove`]; no step; the follower stands at a
+    /// singular position. After an error the follower is where it was.
+    pub fn prove_to(
+        &mut self,
+        values: impl IntoIterator<Item = (impl AsRef<str>, f64)>,
+        steps: usize,
+    ) -> Result<Proof> {
+        let mut targets = Vec::new();
+        self.targets(values, &mut targets)?;
+        let refused = |reason: &str| Error::InvalidOptions { reason: reason.to_string() };
+        if steps == 0 {
+            return Err(refused("a proof has at least 1 step, not 0. Request more"));
+        }
+        if self.regular.is_some() {
+            return Err(refused(
+                "the follower stands at a singular position. Move it back before the proof",
+            ));
+        }
+        self.options.check_memory(1, steps + 1, self.q.len())?;
+        let start = self.values();
+        self.lead(&start, &targets);
+        let first = self.system.velocity(&self.q, START).and_then(|qd| {
+            let qdd = self.system.acceleration(&self.q, &qd, START)?;
+            Ok([qd, qdd])
+        });
+        let way = first
+            .and_then(|[qd, qdd]| go(&self.system, &self.options, [&self.q, &qd, &qdd], steps));
+        let proved = way.and_then(|motion| Ok((self.system.prove(&motion)?, motion)));
+        match proved {
+            Ok((proof, motion)) => {
+                self.q.copy_from_slice(motion.q(steps));
+                self.small = Small::default();
+                self.rest_at(&targets);
+                self.follow_left_out();
+                Ok(proof)
+            }
+            Err(error) => {
+                self.rest_at(&start);
+                Err(error)
+            }
+        }
+    }
+
+    /// Lets the drivers go from these values to the targets while the time goes from [`START`] to 0.
+    fn lead(&self, start: &[f64], targets: &[f64]) {
+        for ((driver, start), target) in self.drivers.iter().zip(start).zip(targets) {
+            driver.path.lead([*target, target - start, 0.0]);
+        }
+    }
+
     /// Returns the position at the targets, followed from the position q at the values `start`.
     fn run(&mut self, start: &[f64], q: &[f64], targets: &[f64]) -> Result<Vec<f64>> {
         if start == targets {
             return Ok(q.to_vec());
         }
-        for ((driver, start), target) in self.drivers.iter().zip(start).zip(targets) {
-            driver.path.lead([*target, target - start, 0.0]);
-        }
-        go(&self.system, &self.options, q)
+        self.lead(start, targets);
+        let rest = vec![0.0; q.len()];
+        Ok(go(&self.system, &self.options, [q, &rest, &rest], 1)?.q(1).to_vec())
     }
 
     /// Takes the follower to the place where a move stopped, and says why.
@@ -139,15 +198,23 @@ fn reason(error: &Error) -> String {
     }
 }
 
-/// Follows the branch through q, a position at the time [`START`], to the time 0.
-fn go(system: &System, options: &SolverOptions, q: &[f64]) -> Result<Vec<f64>> {
+/// Follows the branch through q, a position at the time [`START`], to the time 0, over so many equal
+/// steps. The motion begins with these q, q̇ and q̈.
+fn go(
+    system: &System,
+    options: &SolverOptions,
+    [q, qd, qdd]: [&[f64]; 3],
+    steps: usize,
+) -> Result<Motion> {
     let mut run = Run::new(system, options, Some(EXPLAIN))?;
-    let mut motion = Motion::new(system, 2);
-    let rest = vec![0.0; q.len()];
-    motion.append(START, [q, &rest, &rest, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
-    let reached = run.begin_from(START, q).and_then(|()| run.reach(0.0, &mut motion));
+    let mut motion = Motion::new(system, steps + 1);
+    motion.append(START, [q, qd, qdd, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
+    let time = |k: usize| START * (steps - k) as f64 / steps as f64;
+    let reached = run
+        .begin_from(START, q)
+        .and_then(|()| (1..=steps).try_for_each(|k| run.reach(time(k), &mut motion)));
     match reached {
-        Ok(()) => Ok(motion.q(1).to_vec()),
+        Ok(()) => Ok(motion),
         Err(error) => Err(run.failed(error, motion)),
     }
 }

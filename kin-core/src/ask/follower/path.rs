@@ -45,6 +45,10 @@ impl LawFunction for Path {
         "path"
     }
 
+    fn trusted(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     fn fourth(&self, _: f64) -> f64 {
         0.0
     }

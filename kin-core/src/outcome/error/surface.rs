@@ -304,6 +304,15 @@ impl Surface {
         }
     }
 
+    /// Shows how to state the direction in which a run leaves a dead centre.
+    pub(crate) fn start(self, coordinate: &str) -> String {
+        match self {
+            Surface::Rust => format!("`solver.start(Start::towards(\"{coordinate}\", 1))`"),
+            Surface::Python => format!("`start={{\"{coordinate}\": 1}}`"),
+            Surface::Command => format!("`--start {coordinate}=+1`"),
+        }
+    }
+
     /// Shows times of a run as an example.
     pub(crate) fn many_times(self) -> &'static str {
         match self {
