@@ -72,6 +72,7 @@ mod guide {
         Tolerances "../docs/guide/tolerances.md";
         Pictures "../docs/guide/pictures.md";
         Text "../docs/guide/text.md";
+        Firmware "../docs/guide/firmware.md";
         Renamed "../docs/guide/renamed.md";
     }
 }

@@ -86,6 +86,11 @@ pub mod mechanism {
     };
 }
 
+/// Prints a mechanism as a file of C, for a controller or another program.
+pub mod emit {
+    pub use crate::ask::emit::{Options, c};
+}
+
 /// Options and results of a [`crate::Solver`]: stop rules, searches, assemblies, sweeps.
 pub mod solver {
     pub use crate::ask::circuit::{Circuit, CircuitPoint};

@@ -2,7 +2,8 @@
 //! simplification, derivatives, and a schedule for code with few operations.
 //!
 //! The modules, each built on the modules before it: `functions` → `graph` → `differentiate` →
-//! `schedule`. The module `text` reads and prints expressions. This crate knows neither the language of an equation nor the solver.
+//! `schedule`. The module `text` reads and prints expressions. This crate knows neither the
+//! language of an equation nor the solver.
 #![forbid(unsafe_code)]
 
 pub mod differentiate;

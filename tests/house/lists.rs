@@ -10,8 +10,12 @@ use crate::{ROOT, rust_files, sources};
 
 /// Files that may tell operations apart one by one: the graph itself with its evaluator, its passes
 /// and its text, and what writes code (or a tape) of it.
-const OF_OPERATIONS: [&str; 3] =
-    ["kin-graph/src/", "kin-macros/src/emit/", "kin-core/src/program/tape/"];
+const OF_OPERATIONS: [&str; 4] = [
+    "kin-graph/src/",
+    "kin-macros/src/emit/",
+    "kin-core/src/program/tape/",
+    "kin-core/src/program/print/",
+];
 
 /// Matches that name so many variants are lists; fewer ask for something in particular.
 const SHARE: f64 = 0.4;

@@ -6,6 +6,7 @@ mod calls;
 pub mod check;
 pub(crate) mod circuit;
 pub mod diagnosis;
+pub mod emit;
 pub mod follower;
 pub mod measure;
 pub mod proof;

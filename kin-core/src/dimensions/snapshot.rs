@@ -1,11 +1,15 @@
 //! Holds the dimensions of a system, and the numbers that depend on the dimensions, with values and
 //! derivatives.
 
+use kin_graph::text::{Dialect, print};
 use kin_graph::{Graph, Input, LeafUse, Node, Number, Op, Source, evaluate};
 
 use super::{Bound, Entry};
 use crate::numbers::enclosure::series::{Series, UNKNOWN};
 use crate::numbers::real::{Dual64, Real};
+
+/// The longest text of an expression. \[bytes\]
+const LONGEST: usize = 20_000;
 
 /// The dimensions of a built mechanism, and the numbers that depend on them.
 pub(crate) struct Snapshot {
@@ -76,6 +80,21 @@ impl Snapshot {
     /// Returns all numbers with their derivatives by dimension k.
     pub(crate) fn along(&self, values: &[f64], k: usize) -> Vec<Real<Dual64>> {
         self.walk(&Along { values, k })
+    }
+
+    /// Returns a number as an expression, or `None` if the text is long; `named` gives the texts of
+    /// dimensions by their indices.
+    pub(crate) fn text(
+        &self,
+        node: Node,
+        dialect: &dyn Dialect,
+        named: &dyn Fn(usize) -> String,
+    ) -> Option<String> {
+        let of = |node| match self.graph.op(node) {
+            Op::Input(Input::Parameter(k)) => Some(named(k)),
+            _ => None,
+        };
+        print(&self.graph, node, dialect, of, LONGEST)
     }
 
     /// Returns bounds of all numbers for bounded dimensions.

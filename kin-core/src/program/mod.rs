@@ -21,6 +21,7 @@ mod gather;
 mod kind;
 #[cfg(test)]
 pub(crate) mod plant;
+mod print;
 mod reduce;
 mod refusal;
 mod stages;
@@ -35,10 +36,11 @@ pub(crate) use blocks::blocks;
 pub(crate) use eliminate::Elimination;
 pub(crate) use gather::{Case, Column, Differences, Leaves, Row, Whole, columns, gather_where};
 pub(crate) use kind::SELF;
+pub(crate) use print::{Sample, Sheet, Symbol, equations, file};
 pub(crate) use reduce::Reduced;
 pub(crate) use refusal::{Obstacle, Refusal};
 #[cfg(test)]
 pub(crate) use stages::Program;
 pub(crate) use stages::{Pose, program, program_of_cases};
-pub(crate) use tape::{IntoRows, Masks, Summed, Tape, alone, schedule, times};
+pub(crate) use tape::{IntoRows, Masks, Straight, Summed, Tape, alone, schedule, straight, times};
 pub(crate) use transposed::take;

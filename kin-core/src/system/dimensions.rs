@@ -3,10 +3,12 @@
 
 use std::sync::Arc;
 
+use kin_graph::text::{Binding, Dialect};
+
 use super::parameters::CasePlace;
 use super::{PreferredMeasure, System};
 use crate::coordinates::layout::Kind;
-use crate::dimensions::{Beside, Bound, Dimension, Distribution, Entry, Holder, Snapshot};
+use crate::dimensions::{Beside, Bound, Dimension, Distribution, Entry, Holder, Hung, Snapshot};
 use crate::model::constraint::Constraint;
 use crate::model::loads::{Acting, sensible_gravity, sensible_point_mass};
 use crate::model::mechanism::SpatialPose;
@@ -116,6 +118,39 @@ impl System {
             }
         }
         own.hung.iter().map(|hung| hung.at.clone()).zip(own.over(&series)).collect()
+    }
+
+    /// Returns the unit of a dimension, or `-` if it has none.
+    pub(crate) fn unit_of_dimension(&self, name: &str) -> String {
+        let entry = self.dimension_number(name).and_then(|k| self.dimension_entry(k));
+        let unit = entry.map(|entry| entry.unit.clone()).filter(|unit| !unit.is_empty());
+        unit.unwrap_or_else(|| "-".to_string())
+    }
+
+    /// Returns a parameter of a constraint's formula as an expression of dimensions. `named` gives
+    /// the texts of dimensions; the others are printed as numbers. Returns `None` if the parameter
+    /// is no such expression.
+    pub(crate) fn parameter_text(
+        &self,
+        block: usize,
+        index: usize,
+        dialect: &dyn Dialect,
+        named: &dyn Fn(&str) -> Option<String>,
+    ) -> Option<String> {
+        let constraint = self.equations.blocks.get(block)?.constraint.as_ref();
+        let wanted = constraint
+            .formula(|table, _, _| table.formula().parameters.get(index).cloned())
+            .flatten()?;
+        let Dimensions { all, values } = self.dimensions.as_ref()?;
+        let is_wanted = |hung: &&Hung| {
+            matches!(&hung.at, Bound::Parameter { of: Holder::Constraint(k), name, .. }
+                if *k == block && *name == wanted)
+        };
+        let node = all.hung.iter().find(is_wanted)?.node;
+        all.text(node, dialect, &|k| match named(&all.entries[k].name) {
+            Some(text) => text,
+            None => dialect.number(values[k]).within(Binding::Atom, dialect.brackets()),
+        })
     }
 
     /// Stores the dimensions of the mechanism from which the system was built.

@@ -85,6 +85,24 @@ pub(super) fn install(drivers: &mut [Driver], system: &mut System) {
 }
 
 impl Driver {
+    /// Returns the law of the driver in a system at time t0 and pose q.
+    pub(super) fn law(&self, system: &System, (t0, q): (f64, &[f64])) -> Option<Law> {
+        let block = system.equations().blocks.get(self.block)?;
+        let instant = system.equations().instant_at(t0, q);
+        let mut found = None;
+        block.constraint.laws(&system.equations().at(block, &instant), &mut |name, law, _| {
+            if name == self.parameter {
+                found = Some(law.clone());
+            }
+        });
+        found
+    }
+
+    /// Gives the driver another law in a system.
+    pub(super) fn replace(&self, system: &mut System, law: &Law) {
+        system.set_law(self.block, &self.parameter, law);
+    }
+
     /// Takes the driver to rest at its value.
     pub(super) fn rest(&self) {
         self.path.lead([self.value.value, 0.0, 0.0]);

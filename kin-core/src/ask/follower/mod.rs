@@ -12,6 +12,7 @@ mod roles;
 mod small;
 
 use crate::ask::solver::Solver;
+use crate::law::Law;
 use crate::outcome::error::{Error, Result};
 use crate::outcome::motion::Motion;
 use crate::outcome::named_value::NamedValue;
@@ -276,6 +277,20 @@ impl Follower {
         self.drivers.iter().for_each(Driver::rest);
         self.drivers[k].path.lead([0.0, 1.0, 0.0]);
         Ok(self.drivers[k].value.clone())
+    }
+
+    /// Returns the system with these laws in place of those of the drivers.
+    pub(in crate::ask) fn with_laws(&self, laws: &[Law]) -> System {
+        let mut system = self.system.clone();
+        for (driver, law) in self.drivers.iter().zip(laws) {
+            driver.replace(&mut system, law);
+        }
+        system
+    }
+
+    /// Returns the laws of the drivers in the system from which the follower was made.
+    pub(in crate::ask) fn laws_of(&self, system: &System) -> Vec<Option<Law>> {
+        self.drivers.iter().map(|driver| driver.law(system, (self.t0, &self.q))).collect()
     }
 
     /// Writes the values of all drivers with the given ones changed.

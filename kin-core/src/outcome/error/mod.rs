@@ -261,6 +261,15 @@ pub enum Error {
         reason: String,
     },
 
+    /// A part of a mechanism cannot be printed as a file of C.
+    #[error("Kin cannot print {what} as C: {reason}")]
+    CannotEmit {
+        /// The constraint, measure or mechanism.
+        what: String,
+        /// The reason.
+        reason: String,
+    },
+
     /// A hand-written constraint contradicts itself, or does not implement what Kin needs.
     #[error("`{constraint}` ({kind}): {reason}")]
     InvalidConstraint {

@@ -147,6 +147,11 @@ impl Free {
         Free { differences, ..Free::default() }
     }
 
+    /// Returns the constraint and index of each free parameter.
+    pub(crate) fn slots(&self) -> &[(usize, usize)] {
+        &self.slots
+    }
+
     /// Begins to gather the rows of this constraint.
     pub(super) fn enter(&mut self, block: usize) {
         self.here = self.differences.0.iter().position(|own| own.block == block);

@@ -194,6 +194,25 @@ impl Tape {
         self.free.case(system, &self.laws)
     }
 
+    /// Returns the constraint of each free parameter, and the index of the parameter there.
+    pub(crate) fn slots(&self) -> &[(usize, usize)] {
+        self.free.slots()
+    }
+
+    /// Returns the laws that the tape evaluates, except these.
+    pub(crate) fn laws_without_formula(&self, drivers: &[Law]) -> Vec<Law> {
+        let stages = [&self.setup, &self.time, &self.correct, &self.rest];
+        let mut laws: Vec<Law> = Vec::new();
+        for run in stages.into_iter().flat_map(|stage| &stage.runs) {
+            let Kind::Law(law, _) = run.kind else { continue };
+            let Some(law) = self.laws.get(law as usize) else { continue };
+            if drivers.iter().chain(&laws).all(|known| !known.is(law)) {
+                laws.push(law.clone());
+            }
+        }
+        laws
+    }
+
     /// Returns true if anything may jump depending on coordinates.
     pub(crate) fn jumps(&self) -> bool {
         !self.sides.is_empty()

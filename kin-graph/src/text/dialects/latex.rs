@@ -23,6 +23,26 @@ const ESCAPED: [(char, &str); 12] = [
     ('\n', "\\ "),
 ];
 
+/// The names of functions that LaTeX or mathematicians write in another way than Rust.
+const NAMES: [(Function, &str); 16] = [
+    (Function::Sin, "\\sin"),
+    (Function::Cos, "\\cos"),
+    (Function::Tan, "\\tan"),
+    (Function::Asin, "\\arcsin"),
+    (Function::Acos, "\\arccos"),
+    (Function::Atan, "\\arctan"),
+    (Function::Sinh, "\\sinh"),
+    (Function::Cosh, "\\cosh"),
+    (Function::Tanh, "\\tanh"),
+    (Function::Asinh, "\\operatorname{arsinh}"),
+    (Function::Acosh, "\\operatorname{arcosh}"),
+    (Function::Atanh, "\\operatorname{artanh}"),
+    (Function::Ln, "\\ln"),
+    (Function::Log2, "\\log_{2}"),
+    (Function::Log10, "\\log_{10}"),
+    (Function::Signum, "\\operatorname{sgn}"),
+];
+
 impl Latex {
     /// Returns any text as an upright name.
     pub fn name(text: &str) -> String {
@@ -115,27 +135,13 @@ impl Dialect for Latex {
                 return Piece::atom(format!("\\left\\lfloor {text}\\right\\rfloor"));
             }
             Function::Ceil => return Piece::atom(format!("\\left\\lceil {text}\\right\\rceil")),
-            Function::Sin => "\\sin",
-            Function::Cos => "\\cos",
-            Function::Tan => "\\tan",
-            Function::Asin => "\\arcsin",
-            Function::Acos => "\\arccos",
-            Function::Atan => "\\arctan",
-            Function::Sinh => "\\sinh",
-            Function::Cosh => "\\cosh",
-            Function::Tanh => "\\tanh",
-            Function::Asinh => "\\operatorname{arsinh}",
-            Function::Acosh => "\\operatorname{arcosh}",
-            Function::Atanh => "\\operatorname{artanh}",
-            Function::Ln => "\\ln",
-            Function::Log2 => "\\log_{2}",
-            Function::Log10 => "\\log_{10}",
-            Function::Signum => "\\operatorname{sgn}",
-            Function::Round => "\\operatorname{round}",
-            Function::Trunc => "\\operatorname{trunc}",
-            Function::Fract => "\\operatorname{fract}",
+            other => {
+                let known = NAMES.iter().find(|(function, _)| *function == other);
+                let name = known.map(|(_, name)| (*name).to_string());
+                name.unwrap_or_else(|| format!("\\operatorname{{{}}}", other.method()))
+            }
         };
-        Latex::applied(name, text)
+        Latex::applied(&name, text)
     }
 
     fn call2(&self, function: Function2, a: &Piece, b: &Piece) -> Piece {
@@ -147,10 +153,13 @@ impl Dialect for Latex {
             Function2::Powf => return self.raised(a, &b.text),
             Function2::Max => "\\max",
             Function2::Min => "\\min",
-            Function2::Atan2 => "\\operatorname{atan2}",
             Function2::RemEuclid => "\\operatorname{mod}",
             Function2::DivEuclid => "\\operatorname{div}",
             Function2::Rem => "\\operatorname{rem}",
+            other => {
+                let name = format!("\\operatorname{{{}}}", other.method());
+                return Latex::applied(&name, &format!("{}, {}", a.text, b.text));
+            }
         };
         Latex::applied(name, &format!("{}, {}", a.text, b.text))
     }
