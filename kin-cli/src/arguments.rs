@@ -53,6 +53,8 @@ pub enum Command {
     Tolerance(Tolerance),
     /// Efforts of drives and forces of joints, as CSV, for a file with masses
     Forces(Forces),
+    /// Prints the mechanism as a file of C: positions by the values of the drivers
+    Emit(Emit),
     /// Runs many cases and writes a row with extremes for each
     Sweep(Sweep),
     /// Converts a file of another program into a mechanism file, and names what it leaves out
@@ -287,6 +289,30 @@ pub struct Map {
     /// How many configurations each side of the border has
     #[arg(long, default_value_t = 33)]
     pub points: usize,
+}
+
+#[derive(Clone, Debug, Args)]
+pub struct Emit {
+    #[command(flatten)]
+    pub model: Model,
+    /// Prints C99, which needs <math.h> and nothing else
+    #[arg(long = "c", required = true)]
+    pub c: bool,
+    /// The file to write; `-` means standard output
+    #[arg(short = 'o', long = "output", value_name = "FILE", default_value = "-")]
+    pub output: String,
+    /// The prefix of all names in the file instead of the name of the mechanism
+    #[arg(long, value_name = "NAME")]
+    pub name: Option<String>,
+    /// Dimensions that the file leaves free, such as `crank,rod`
+    #[arg(long, value_delimiter = ',', value_name = "DIMENSIONS")]
+    pub free: Vec<String>,
+    /// Coordinates that the file returns as measures, such as `rocker.theta`
+    #[arg(long, value_delimiter = ',', value_name = "NAMES")]
+    pub measures: Vec<String>,
+    /// The time at which the mechanism is assembled: there the file starts   [s]
+    #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
+    pub at: f64,
 }
 
 #[derive(Clone, Debug, Args)]

@@ -103,6 +103,7 @@ impl From<Error> for Fault {
         match error {
             Error::InvalidTimes { .. }
             | Error::InvalidOptions { .. }
+            | Error::CannotEmit { .. }
             | Error::NeedsMemory { .. } => Fault::Usage(error.to_string()),
             Error::Data { .. } | Error::Table { .. } | Error::File { .. } => {
                 Fault::File(error.to_string())

@@ -48,6 +48,7 @@ fn done(command: &Command, say: &Say) -> Result<(), Fault> {
         Command::Sensitivities(asked) => commands::sensitivities(asked, say),
         Command::Tolerance(asked) => commands::tolerance(asked, say),
         Command::Forces(asked) => commands::forces(asked, say),
+        Command::Emit(asked) => commands::emit(asked),
         Command::Sweep(asked) => commands::sweep(asked, say),
         Command::Import(asked) => commands::import(asked, say),
         Command::Schema => commands::schema(),

@@ -74,6 +74,9 @@ fn facts(error: &Error) -> (&'static str, Value) {
         Error::CannotBeProved { what, reason } => {
             ("CannotBeProved", json!({ "what": what, "reason": reason }))
         }
+        Error::CannotEmit { what, reason } => {
+            ("CannotEmit", json!({ "what": what, "reason": reason }))
+        }
         Error::InvalidConstraint { constraint, kind, reason } => (
             "InvalidConstraint",
             json!({ "constraint": constraint, "constraint_kind": kind, "reason": reason }),

@@ -148,6 +148,27 @@ impl System {
         self.now().measures()
     }
 
+    /// The mechanism as a file of C.
+    fn emit(
+        &self,
+        py: Python<'_>,
+        language: &str,
+        name: Option<String>,
+        free: Vec<String>,
+        measures: Vec<String>,
+        t0: f64,
+    ) -> PyResult<String> {
+        let system = self.now();
+        let options = kin::emit::Options { name, free, measures, t0 };
+        let printed = match language {
+            "c" => py.detach(|| kin::emit::c(&system, &options)),
+            _ => Err(kin::Error::InvalidOptions {
+                reason: format!("Kin does not print the language `{language}`. Use \"c\""),
+            }),
+        };
+        or_raise(py, printed)
+    }
+
     fn has_forces(&self) -> bool {
         self.now().has_forces()
     }

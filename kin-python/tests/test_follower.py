@@ -183,3 +183,13 @@ def test_a_run_leaves_a_dead_centre_in_the_stated_direction():
         system.run(times)
     with pytest.raises(ValueError, match="one coordinate or body"):
         system.run(times, start={})
+
+
+def test_a_mechanism_is_printed_as_c():
+    system = four_bar()
+    text = system.emit("c", name="bar", measures=["rocker.theta"])
+    assert "int bar_to(bar_state *s, const double u[]);" in text
+    with pytest.raises(kin.CannotEmit, match="no formula of the measure"):
+        system.emit("c", measures=["O.angle"])
+    with pytest.raises(kin.InvalidOptions, match="does not print the language `lisp`"):
+        system.emit("lisp")

@@ -3,6 +3,7 @@
 mod ask;
 mod circuit;
 mod drag;
+mod emit;
 mod forces;
 mod import;
 mod map;
@@ -14,6 +15,7 @@ mod sweep;
 pub use ask::{assemblies, check, diagnose, measure, prove, sensitivities, tolerance};
 pub use circuit::circuit;
 pub use drag::drag;
+pub use emit::emit;
 pub use forces::forces;
 pub use import::import;
 pub use map::map;

@@ -266,6 +266,12 @@ fn of_questions() -> Vec<Line> {
             "above zero",
             asked(&["check", &made("length", &reach()), "--set", "reach=-1"]),
         ),
+        (
+            "CannotEmit",
+            2,
+            "Kin cannot print `edge` as C",
+            asked(&["emit", &example("07_cam_follower"), "--c"]),
+        ),
         ("NeedsMemory", 2, "GB", asked(&["run", m, "--times", "0:1:6000000"])),
         (
             "OutputNotFinite",

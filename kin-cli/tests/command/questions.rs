@@ -497,6 +497,18 @@ fn a_run_leaves_a_dead_centre_in_the_stated_direction() {
     assert!(told.contains("a dead centre of `cylinder`") && told.contains("`--start "), "{told}");
 }
 
+#[test]
+fn a_mechanism_is_printed_as_c() {
+    let m = example("04_four_bar");
+    let text = data(&["emit", &m, "--c", "--name", "bar", "--measures", "rocker.theta"]);
+    assert!(text.contains("int bar_to(bar_state *s, const double u[]);"), "{text}");
+    assert!(text.contains("m[0] = q[8]; /* rocker.theta */"), "{text}");
+    let output = done(&["emit", &m, "--c", "--free", "crank"]);
+    let told = words(&output);
+    assert_eq!(code(&output), 2);
+    assert!(told.contains("there is no parameter or coordinate `crank`"), "{told}");
+}
+
 /// The circuit of a crank that turns round: the rocker swings, the motor never turns back.
 #[test]
 fn a_circuit_is_written_by_arc_length() {

@@ -105,6 +105,10 @@ class CannotBeProved(Error):
     """Kin cannot prove a motion by interval bounds."""
 
 
+class CannotEmit(Error):
+    """Kin cannot print a part of a mechanism as a file of C."""
+
+
 class InvalidConstraint(Error):
     """A constraint contradicts itself, or does not implement a required method."""
 

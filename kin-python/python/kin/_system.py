@@ -359,6 +359,24 @@ class System:
         """
         return Released(_native.Released.of_system(self._native, t))
 
+    def emit(
+        self,
+        language: str,
+        name: Optional[str] = None,
+        free: Iterable[str] = (),
+        measures: Iterable[str] = (),
+        t: float = 0.0,
+    ) -> str:
+        """The mechanism as the text of one file of C99 that needs no library but `<math.h>`: `system.emit("c")`.
+
+        The functions of the file find the position at values of the drivers, from the position at time t on. `name` is the prefix of
+        all names in the file. `free` names the dimensions that the file leaves free, and `measures` the coordinates that it returns.
+
+        Raises `kin.CannotEmit` if Kin does not know a law or an equation as a formula, or if equations are redundant; the errors of
+        `position`; and one for a name that does not exist.
+        """
+        return self._native.emit(language, name, list(free), list(measures), t)
+
     def circuit(self, input: str, points: int = 361) -> Circuit:
         """All positions that the mechanism reaches while the named driver moves, past dead centres: `points` of them, equally spaced by
         arc length, from the assembled position at time 0.
