@@ -7,6 +7,7 @@
 //!
 //! `cargo run --release --example 16_change_points`
 
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::{Error, Follow, SolverOptions};
 use kin_view::{Figure, Panel, Scene};
@@ -68,8 +69,12 @@ fn main() -> kin::Result<()> {
     )?;
     short.add("press", drive(block.y(), Law::linear(1.5, 1.0)))?; // reaches 1 + 1.2 at t = 0.7
     match short.build()?.run(linspace(0.0, 2.0, 21)) {
-        Err(Error::Toggle { t, movable, .. }) => {
-            println!("the press stops at t = {t:.12} s with {} in line", movable.join(", "))
+        Err(Error::Run(failure)) => {
+            let FailureKind::Toggle { movable, .. } = &failure.kind else {
+                return Err(failure.into());
+            };
+            let movable = movable.join(", ");
+            println!("the press stops at t = {:.12} s with {movable} in line", failure.t);
         }
         run => println!("{:?}", run?),
     }

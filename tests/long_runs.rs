@@ -5,6 +5,7 @@ mod engines;
 
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use kin::error::{FailureKind, RunFailure};
 use kin::prelude::*;
 use kin::results::Event;
 use kin::{Error, SolverOptions};
@@ -129,7 +130,10 @@ fn a_run_in_parts_ends_as_the_run_in_one() {
         Ok(())
     });
     let error = error.expect_err("a toggle");
-    let t = |error: &Error| if let Error::Toggle { t, .. } = error { *t } else { f64::NAN };
+    let t = |error: &Error| match error.failure() {
+        Some(RunFailure { t, kind: FailureKind::Toggle { .. }, .. }) => *t,
+        _ => f64::NAN,
+    };
     assert_eq!(t(&error), t(&whole), "{error}");
     assert_eq!(kept + error.motion().map_or(0, Motion::len), whole.motion().unwrap().len());
     // The closure ends it, too; times are looked at as they come.

@@ -3,12 +3,13 @@
 #[path = "data/engines.rs"]
 mod engines;
 
+use kin::SolverOptions;
 use kin::data::MotionData;
 use kin::data::Registry;
+use kin::error::FailureKind;
 use kin::joints::drivers::drive_distance;
 use kin::prelude::*;
 use kin::results::Units;
-use kin::{Error, SolverOptions};
 use kin_view::{Figure, Panel, Scene};
 
 use engines::Engines;
@@ -123,7 +124,7 @@ fn proofs_events_diagnoses_and_errors_have_the_words_of_the_mechanism() -> kin::
     let error = system.run_both(linspace(0.0, 1.0, 41)).unwrap_err();
     let text = error.to_string();
     assert!(
-        matches!(error, Error::Toggle { .. })
+        matches!(error.kind(), Some(FailureKind::Toggle { .. }))
             && text.contains("t = 0.704")
             && text.contains("toggle at t = "),
         "{text}"

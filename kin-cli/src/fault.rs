@@ -149,7 +149,7 @@ mod tests {
                 continue;
             }
             if path.components().any(|part| part.as_os_str() == "tests")
-                || path.ends_with("model/error/surface.rs")
+                || path.ends_with("outcome/error/surface.rs")
                 || path.extension().is_none_or(|is| is != "rs")
             {
                 continue;

@@ -62,7 +62,9 @@ pub use system::System;
 pub mod error {
     pub use crate::outcome::DimensionError;
     pub use crate::outcome::error::surface::Surface;
-    pub use crate::outcome::error::{CannotReach, Error, OtherMotion, Result};
+    pub use crate::outcome::error::{
+        CannotReach, Error, FailureKind, OtherMotion, Result, RunFailure, UnfollowedReason,
+    };
     pub use crate::outcome::growth::Unbounded;
     pub use crate::outcome::jammed::Jammed;
     pub use crate::outcome::no_derivative::NoDerivative;

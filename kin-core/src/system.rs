@@ -25,7 +25,7 @@ use crate::linear::Linear;
 use crate::model::constraint::Constraint;
 use crate::model::loads::Loads;
 use crate::model::mechanism::Limit;
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result};
 use crate::system::scaled::Model;
 use cache::Cache;
 use dimensions::Dimensions;
@@ -287,26 +287,23 @@ impl System {
     }
 
     /// Builds the error for a singular matrix at a pose and time.
-    pub(crate) fn singular(&self, t: f64, q: &[f64], unmet: Option<Box<str>>) -> Error {
+    pub(crate) fn singular(&self, t: f64, q: &[f64], unmet: Option<String>) -> Error {
         let model = self.model();
         let point = match model.linearize(q, t) {
             Ok(point) => point,
             Err(bad) => return model.not_finite(bad, q, t),
         };
         let found = singular::singular(&model, &point.values, &model.measure(q, t));
-        Error::SingularAt {
-            t,
-            units: self.layout.words.clone(),
+        let kind = FailureKind::SingularAt {
             n: self.n_coordinates(),
             rank: found.rank,
             pivot: found.pivot,
             movable: found.movable,
-            dependent: found.dependent.into(),
+            dependent: found.dependent,
             unmet,
             drawn: false,
-            diagnosis: None,
-            motion: None,
-        }
+        };
+        kind.at(t, &self.layout.words)
     }
 
     pub(crate) fn check(&self, q: &[f64], what: &str) -> Result<()> {

@@ -1,7 +1,7 @@
 //! Kin's errors as Python's exceptions: the same words, the fields by name, the motion before.
 
 use kin::Error;
-use kin::error::{DimensionError, Jammed};
+use kin::error::{DimensionError, FailureKind, Jammed, RunFailure};
 use kin::solver::NamedValue;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -144,37 +144,10 @@ fn of_dimension(error: &DimensionError) -> Value {
     }
 }
 
-/// The same of errors that end a run, or that a motion leads to.
+/// The same of errors that a motion leads to.
 fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
     Some(match error {
-        Error::CannotBeDriven { .. } => ("CannotBeDriven", json!({})),
-        Error::NoConvergence { t, iterations, constraint, row, residual, last, .. } => (
-            "NoConvergence",
-            json!({ "t": t, "iterations": iterations, "constraint": constraint, "row": row, "residual": residual, "last": last }),
-        ),
-        Error::SingularAt { t, n, rank, pivot, movable, dependent, drawn, .. } => (
-            "SingularAt",
-            json!({ "t": t, "n": n, "rank": rank, "pivot": pivot, "movable": movable, "dependent": dependent, "drawn": drawn }),
-        ),
-        Error::Toggle { t, asked, movable, dependent, .. } => (
-            "Toggle",
-            json!({ "t": t, "asked": asked, "movable": movable, "dependent": dependent }),
-        ),
-        Error::CannotFollow { t, reason, .. } => {
-            ("CannotFollow", json!({ "t": t, "reason": reason }))
-        }
-        Error::WrongBranch { t, constraint, kind, reason, .. } => (
-            "WrongBranch",
-            json!({ "t": t, "constraint": constraint, "constraint_kind": kind, "reason": reason }),
-        ),
-        Error::LawJumps { t, constraint, law, at, order, .. } => (
-            "LawJumps",
-            json!({ "t": t, "constraint": constraint, "law": law, "at": at, "order": order }),
-        ),
-        Error::NotFinite { t, constraint, row, quantity, .. } => (
-            "NotFinite",
-            json!({ "t": t, "constraint": constraint, "row": row, "quantity": quantity }),
-        ),
+        Error::Run(failure) => of_failure(failure),
         Error::Jammed(found) => {
             let Jammed { constraint, t, share, drives, .. } = found.as_ref();
             (
@@ -191,6 +164,41 @@ fn of_runs(error: &Error) -> Option<(&'static str, Value)> {
         Error::Stopped { done, .. } => ("Stopped", json!({ "done": done })),
         _ => return None,
     })
+}
+
+/// The same of failures of a run: the exception has the name of the kind.
+fn of_failure(failure: &RunFailure) -> (&'static str, Value) {
+    let t = failure.t;
+    match &failure.kind {
+        FailureKind::NoConvergence { iterations, constraint, row, residual, last } => (
+            "NoConvergence",
+            json!({ "t": t, "iterations": iterations, "constraint": constraint, "row": row, "residual": residual, "last": last }),
+        ),
+        FailureKind::SingularAt { n, rank, pivot, movable, dependent, drawn, .. } => (
+            "SingularAt",
+            json!({ "t": t, "n": n, "rank": rank, "pivot": pivot, "movable": movable, "dependent": dependent, "drawn": drawn }),
+        ),
+        FailureKind::Toggle { asked, movable, dependent } => (
+            "Toggle",
+            json!({ "t": t, "asked": asked, "movable": movable, "dependent": dependent }),
+        ),
+        FailureKind::CannotFollow { reason } => {
+            ("CannotFollow", json!({ "t": t, "reason": reason.to_string() }))
+        }
+        FailureKind::WrongBranch { constraint, kind, reason } => (
+            "WrongBranch",
+            json!({ "t": t, "constraint": constraint, "constraint_kind": kind, "reason": reason }),
+        ),
+        FailureKind::LawJumps { constraint, law, at, order } => (
+            "LawJumps",
+            json!({ "t": t, "constraint": constraint, "law": law, "at": at, "order": order }),
+        ),
+        FailureKind::NotFinite { constraint, row, quantity, .. } => (
+            "NotFinite",
+            json!({ "t": t, "constraint": constraint, "row": row, "quantity": quantity }),
+        ),
+        _ => ("CannotBeDriven", json!({})),
+    }
 }
 
 /// The error of a name that nothing in Python's part has: `kin.UnknownName` with the known names,

@@ -7,6 +7,7 @@ mod language;
 mod messages;
 mod values;
 
+use kin::error::FailureKind;
 use kin::extend::blame::{Culprit, Found, Part};
 use kin::prelude::*;
 use kin::{Error, Result};
@@ -46,13 +47,12 @@ fn failed(system: &System, ask: Ask, q: &[f64], t: f64) -> Error {
 /// The culprit of a term that is not finite.
 pub fn culprit(system: &System, ask: Ask, q: &[f64], t: f64) -> Culprit {
     let asked = ["C", "C_q", "C_t", "Q_d"][ask as usize];
-    match failed(system, ask, q, t) {
-        Error::NotFinite { culprit, constraint, quantity, .. } => {
-            assert_eq!((constraint.as_str(), quantity), ("slot", asked));
-            *culprit
-        }
-        other => panic!("{other}"),
-    }
+    let error = failed(system, ask, q, t);
+    let Some(FailureKind::NotFinite { culprit, constraint, quantity, .. }) = error.kind() else {
+        panic!("{error}")
+    };
+    assert_eq!((constraint.as_str(), *quantity), ("slot", asked));
+    culprit.clone()
 }
 
 /// The expression found must be this one, stand where the error says, and come from these

@@ -1,6 +1,7 @@
 //! The same run by plain steps and by a program: the same numbers, verdicts, names and events, most
 //! times of a fine grid computed by the program, or the reason by name why there is none.
 
+use kin::error::FailureKind;
 use kin::extend::Route;
 use kin::extend::RouteReason;
 use kin::prelude::*;
@@ -382,26 +383,23 @@ struct Named {
 }
 
 fn named(error: &Error) -> Named {
-    let at = |t: &f64, names: &[&str]| Named {
-        t: Some(*t),
-        names: names.iter().map(|name| name.to_string()).collect(),
+    let Some(failure) = error.failure() else { return Named::default() };
+    let all = |names: &[&str]| names.iter().map(|name| name.to_string()).collect();
+    let names = match &failure.kind {
+        FailureKind::NoConvergence { constraint, row, .. } => all(&[constraint, row]),
+        FailureKind::SingularAt { movable, dependent, .. }
+        | FailureKind::Toggle { movable, dependent, .. } => {
+            movable.iter().chain(dependent).cloned().collect()
+        }
+        FailureKind::CannotFollow { reason } => all(&[&reason.to_string()]),
+        FailureKind::WrongBranch { constraint, reason, .. } => all(&[constraint, reason]),
+        FailureKind::LawJumps { constraint, law, .. } => all(&[constraint, law]),
+        FailureKind::NotFinite { constraint, row, quantity, .. } => {
+            all(&[constraint, row, quantity])
+        }
+        _ => return Named::default(),
     };
-    match error {
-        Error::NoConvergence { t, constraint, row, .. } => at(t, &[constraint, row]),
-        Error::SingularAt { t, movable, dependent, .. } => {
-            Named { t: Some(*t), names: movable.iter().chain(dependent.iter()).cloned().collect() }
-        }
-        Error::Toggle { t, movable, dependent, .. } => {
-            Named { t: Some(*t), names: movable.iter().chain(dependent).cloned().collect() }
-        }
-        Error::CannotFollow { t, reason, .. } => at(t, &[reason]),
-        Error::WrongBranch { t, constraint, reason, .. } => at(t, &[constraint, reason]),
-        Error::LawJumps { t, constraint, law, .. } => at(t, &[constraint, law]),
-        Error::NotFinite { t, constraint, row, quantity, .. } => {
-            at(t, &[constraint, row, quantity])
-        }
-        _ => Named::default(),
-    }
+    Named { t: Some(failure.t), names }
 }
 
 /// A text without the others beside the equation that cannot be met: which of them are named at a

@@ -1,6 +1,8 @@
 //! Random mechanisms on coarse grids, each against its closed form: on its branch all the way, or
 //! stopped at its toggle.
 
+use kin::Error;
+use kin::error::{FailureKind, RunFailure};
 use kin::prelude::*;
 
 use crate::engines::Engines;
@@ -24,6 +26,16 @@ impl Random {
     }
 }
 
+/// The time of a toggle that ends a run, and the motion before it.
+fn toggle(error: &Error) -> Option<(f64, Option<&Motion>)> {
+    match error.failure()? {
+        RunFailure { t, kind: FailureKind::Toggle { .. }, motion, .. } => {
+            Some((*t, motion.as_ref()))
+        }
+        _ => None,
+    }
+}
+
 /// A run of `turns` turns on a grid of `per_turn` times each, by both engines, must end where the
 /// closed form says, and be right at each time: `end` is the time of the toggle, `error` how far q
 /// is from the branch.
@@ -36,15 +48,16 @@ fn judge(
 ) -> bool {
     let last = times[times.len() - 1];
     let result = system.run_both(times);
-    let motion = match (&result, end.filter(|end| *end < last)) {
+    let end_within = end.filter(|end| *end < last);
+    let motion = match (result.as_ref().map_err(toggle), end_within) {
         (Ok(motion), None) => motion,
-        (Err(kin::Error::Toggle { t, motion: Some(motion), .. }), Some(end)) => {
+        (Err(Some((t, Some(motion)))), Some(end)) => {
             assert!((t - end).abs() < 1e-8, "{name}: toggle found at {t}, expected at {end}");
             motion
         }
-        (Err(kin::Error::Toggle { motion: None, .. }), Some(end)) if end < times[1] => return true,
+        (Err(Some((_, None))), Some(end)) if end < times[1] => return true,
         (Ok(_), Some(end)) => panic!("{name}: a run beyond its toggle at {end}"),
-        (Err(error), end) => panic!("{name}: toggle at {end:?}: {error}"),
+        (Err(_), end) => panic!("{name}: toggle at {end:?}: {result:?}"),
     };
     assert_eq!(
         motion.len(),
@@ -276,17 +289,15 @@ fn random_stewart_platforms_move_alike_on_coarse_and_fine_grids() {
         let points = random.0.usize(8..20);
         let coarse = system.run_both(linspace(0.0, 8.0, points + 1));
         let fine = system.run_compiled(linspace(0.0, 8.0, 50 * points + 1));
-        let (coarse, fine) = match (&coarse, &fine) {
-            (Ok(coarse), Ok(fine)) => (coarse, fine),
-            (
-                Err(kin::Error::Toggle { t, motion: Some(one), .. }),
-                Err(kin::Error::Toggle { t: other, motion: Some(two), .. }),
-            ) => {
+        let ends = [&coarse, &fine].map(|run| run.as_ref().map_err(toggle));
+        let (coarse, fine) = match ends {
+            [Ok(coarse), Ok(fine)] => (coarse, fine),
+            [Err(Some((t, Some(one)))), Err(Some((other, Some(two))))] => {
                 assert!((t - other).abs() < 1e-9, "{number}: {t} {other}");
                 toggles += 1;
-                (one.as_ref(), two.as_ref())
+                (one, two)
             }
-            (coarse, fine) => panic!("{number}, {points} points: {coarse:?} {fine:?}"),
+            _ => panic!("{number}, {points} points: {coarse:?} {fine:?}"),
         };
         for k in 0..coarse.len() {
             let error = coarse

@@ -1,5 +1,6 @@
 //! A coarse grid gives the motion of a fine one.
 
+use kin::error::{FailureKind, RunFailure};
 use kin::prelude::*;
 use kin::{Follow, SolverOptions};
 
@@ -125,14 +126,22 @@ fn sweeps_in_lanes_stay_on_their_branches() {
         for (case, result) in found {
             let bar = bar(grounds[case]);
             let end = bar.toggle(start, 1.0).map(|angle| (angle - start) / TAU);
-            let motion = match (&result, end) {
+            let motion = match (result.as_ref().map_err(kin::Error::failure), end) {
                 (Ok(motion), None) => motion,
-                (Err(kin::Error::Toggle { t, motion: Some(motion), .. }), Some(end)) => {
+                (
+                    Err(Some(RunFailure {
+                        t,
+                        kind: FailureKind::Toggle { .. },
+                        motion: Some(motion),
+                        ..
+                    })),
+                    Some(end),
+                ) => {
                     assert!((t - end).abs() < 1e-10, "{case}: {t} {end}");
                     toggles += 1;
                     motion
                 }
-                (result, end) => panic!("{case}: toggle at {end:?}: {result:?}"),
+                (_, end) => panic!("{case}: toggle at {end:?}: {result:?}"),
             };
             assert!((0..motion.len()).all(|k| bar.error(motion.q(k), 1.0) < 1e-8), "{case}");
         }

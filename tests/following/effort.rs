@@ -3,6 +3,7 @@
 
 use std::time::{Duration, Instant};
 
+use kin::error::{FailureKind, RunFailure};
 use kin::prelude::*;
 use kin::{Engine, Error, Follow, SolverOptions};
 
@@ -32,9 +33,13 @@ fn effort_is_the_work_that_a_run_may_spend_on_smaller_steps() {
     let mut last = -1.0;
     for effort in [1e-4, 1e-3, 1e-2] {
         let [error, again] = [(); 2].map(|()| wave(1e5, effort).expect_err("ends early"));
-        let Error::CannotFollow { t, reason, .. } = &error else { panic!("{effort}: {error}") };
+        let Some(RunFailure { t, kind: FailureKind::CannotFollow { reason }, .. }) =
+            error.failure()
+        else {
+            panic!("{effort}: {error}")
+        };
         assert!(
-            reason.contains("`SolverOptions::effort`") && *t > last && *t < 1.0,
+            reason.to_string().contains("`SolverOptions::effort`") && *t > last && *t < 1.0,
             "{effort}: {error}"
         );
         // It is counted, not timed.
@@ -66,10 +71,12 @@ fn effort_bounds_the_diagnosis_after_a_failure() {
     };
     let [full, cut] = [1.0, 1e-5].map(end);
     for error in [&full, &cut] {
-        let (Error::NoConvergence { t, .. } | Error::SingularAt { t, .. }) = error else {
-            panic!("{error}")
-        };
-        assert!((t - 0.8_f64.asin()).abs() < 1e-2, "{error}");
+        let Some(failure) = error.failure() else { panic!("{error}") };
+        assert!(matches!(
+            failure.kind,
+            FailureKind::NoConvergence { .. } | FailureKind::SingularAt { .. }
+        ));
+        assert!((failure.t - 0.8_f64.asin()).abs() < 1e-2, "{error}");
     }
     assert!(full.diagnosis().is_some() && cut.diagnosis().is_none(), "{full} {cut}");
 }

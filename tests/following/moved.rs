@@ -1,5 +1,6 @@
 //! Events of a motion do not depend on where the origin is and how large the mechanism is.
 
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::results::SingularKind;
 use kin::{Engine, Error, SolverOptions};
@@ -36,6 +37,12 @@ fn run(system: &System, times: &[f64], engine: Engine) -> kin::Result<Motion> {
     system.solver().options(SolverOptions::new().engine(engine)).run(times)
 }
 
+/// The time of a toggle that ends a run.
+fn toggle(error: &Error) -> Option<f64> {
+    let failure = error.failure()?;
+    matches!(failure.kind, FailureKind::Toggle { .. }).then_some(failure.t)
+}
+
 /// Kinds and times of what happens, the toggle at the end among them; the rest of errors by their
 /// words.
 fn happens(result: &kin::Result<Motion>) -> Result<Vec<(String, f64)>, String> {
@@ -46,12 +53,12 @@ fn happens(result: &kin::Result<Motion>) -> Result<Vec<(String, f64)>, String> {
     };
     match result {
         Ok(motion) => Ok(of(motion)),
-        Err(Error::Toggle { t, motion, .. }) => {
-            let before = motion.iter().flat_map(|motion| of(motion));
-            let at_end = [(format!("{:?} at the end", SingularKind::TurningPoint), *t)];
+        Err(error) => {
+            let t = toggle(error).ok_or_else(|| error.to_string())?;
+            let before = error.motion().into_iter().flat_map(of);
+            let at_end = [(format!("{:?} at the end", SingularKind::TurningPoint), t)];
             Ok(before.chain(at_end).collect())
         }
-        Err(error) => Err(error.to_string()),
     }
 }
 
@@ -90,7 +97,7 @@ fn a_fold_is_found_wherever_the_origin_is() {
         let system = m.build().unwrap();
         for engine in [Engine::StepByStep, Engine::Compiled] {
             let found = run(&system, &linspace(0.0, 1.0, points), engine);
-            let Err(Error::Toggle { t, .. }) = found else {
+            let Err(Some(t)) = found.as_ref().map_err(toggle) else {
                 panic!("{turns} {points} {engine:?}: {:?}", found.map(|motion| motion.summary()))
             };
             let at = 0.5 * (-1.0_f64 / 1.2).acos();
@@ -116,7 +123,7 @@ fn a_fold_is_found_beside_long_links() {
         for engine in [Engine::StepByStep, Engine::Compiled] {
             for points in [8, 20, 50] {
                 let found = run(&system, &linspace(0.0, 1.0, points), engine);
-                let Err(Error::Toggle { t, .. }) = found else {
+                let Err(Some(t)) = found.as_ref().map_err(toggle) else {
                     panic!("{length} {points} {engine:?}")
                 };
                 assert!((t - 0.311_783_3).abs() < 1e-6, "{length} {points} {engine:?}: {t}");
@@ -224,9 +231,7 @@ fn mechanisms_that_are_moved_and_scaled_do_the_same() {
                     FAMILIES[family]
                 );
                 tried += 1;
-                if may_end
-                    && found.as_ref().is_err_and(|error| !matches!(error, Error::Toggle { .. }))
-                {
+                if may_end && found.as_ref().is_err_and(|error| toggle(error).is_none()) {
                     continue;
                 }
                 seen += alike(&found, &expected, rounding, &what);
@@ -323,7 +328,7 @@ fn a_fold_is_found_beside_what_is_carried_far_away() {
                 let last = text.split_once("t = ").and_then(|(_, rest)| rest.split_once(" s"));
                 let last: f64 = last.expect(&what).0.parse().expect(&what);
                 assert!((last - expected).abs() < 1e-7, "{what}: {error}");
-                let Error::Toggle { t, .. } = error else {
+                let Some(t) = toggle(&error) else {
                     assert!(pace > 1e5, "{what}: {error}");
                     continue;
                 };

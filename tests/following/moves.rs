@@ -3,6 +3,7 @@
 
 use kin::Error;
 use kin::data::{MechanismData, Registry};
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::solver::{Follower, NamedValue};
 use serde_json::{Value, json};
@@ -189,9 +190,10 @@ fn judge(linkage: &Linkage, seed: u64, counts: &mut Counts) {
             counts.back = counts.back.max(off);
             assert!(off < linkage.rounding(), "{}: back with {off:e}", place());
         }
-        (Err(Error::CannotReach(stop)), Err(Error::Toggle { t, .. }))
-            if stop.singular.is_some() =>
+        (Err(Error::CannotReach(stop)), Err(Error::Run(failure)))
+            if stop.singular.is_some() && matches!(failure.kind, FailureKind::Toggle { .. }) =>
         {
+            let t = failure.t;
             counts.stopped += 1;
             for (driver, to) in from.iter().zip(&to).filter(|(driver, to)| driver.value != **to) {
                 let reached = stop.reached.iter().find(|one| one.name == driver.name).unwrap();

@@ -2,6 +2,7 @@
 //! laws.
 
 use kin::Error;
+use kin::error::FailureKind;
 use kin::prelude::*;
 
 use crate::engines::Engines;
@@ -55,7 +56,13 @@ fn compare(system: &System, steps: usize, name: &str, tally: &mut Tally) {
                     usize::from(system.prove(fine).is_ok_and(|proof| proof.is_complete()));
             }
         }
-        (Err(Error::Toggle { t, .. }), Err(Error::Toggle { t: expected, .. })) => {
+        (Err(Error::Run(failure)), Err(Error::Run(expected)))
+            if [failure, expected]
+                .iter()
+                .all(|failure| matches!(failure.kind, FailureKind::Toggle { .. })) =>
+        {
+            let t = failure.t;
+            let expected = expected.t;
             assert!((t - expected).abs() < 1e-6, "{name}: {t} {expected}");
             tally.toggles += 1;
         }

@@ -1,6 +1,7 @@
 //! Near-parallelograms, their couplers off by 1e-12 to 1e-6: the verdict does not depend on the
 //! grid.
 
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::{Engine, Error, SolverOptions};
 
@@ -23,9 +24,9 @@ fn verdict(system: &System, steps: usize, engine: Engine) -> (String, Vec<f64>) 
         |motion: &Motion| motion.singular_positions().iter().map(|at| at.t).collect::<Vec<f64>>();
     match system.solver().options(options.clone()).run(linspace(0.0, 1.0, steps + 1)) {
         Ok(motion) => ("moves".to_string(), passed(&motion)),
-        Err(Error::Toggle { t, motion, .. }) => {
-            let before = motion.iter().flat_map(|motion| passed(motion));
-            ("toggle".to_string(), before.chain([t]).collect())
+        Err(Error::Run(failure)) if matches!(failure.kind, FailureKind::Toggle { .. }) => {
+            let before = failure.motion.iter().flat_map(passed);
+            ("toggle".to_string(), before.chain([failure.t]).collect())
         }
         Err(error) => {
             (error.to_string().lines().next().unwrap_or_default().to_string(), Vec::new())

@@ -1,5 +1,6 @@
 //! HasTorque points: the time beyond which there is no position.
 
+use kin::error::{FailureKind, RunFailure};
 use kin::prelude::*;
 use kin::results::SingularKind;
 
@@ -8,7 +9,11 @@ use crate::models::{FourBar, slider_crank};
 
 /// The time of the toggle that ends a run, with the motion before it.
 fn toggle(error: &kin::Error) -> (f64, &Motion) {
-    let kin::Error::Toggle { t, motion: Some(motion), .. } = error else { panic!("{error}") };
+    let Some(RunFailure { t, kind: FailureKind::Toggle { .. }, motion: Some(motion), .. }) =
+        error.failure()
+    else {
+        panic!("{error}")
+    };
     (*t, motion)
 }
 
@@ -231,7 +236,9 @@ fn loops_that_toggle_together_end_in_one_toggle_that_names_them_all() {
             let system = m.build().unwrap();
             for points in [2, 11, 301] {
                 let error = system.run_both(linspace(0.0, 3.0, points)).unwrap_err();
-                let kin::Error::Toggle { t, movable, .. } = &error else {
+                let Some(RunFailure { t, kind: FailureKind::Toggle { movable, .. }, .. }) =
+                    error.failure()
+                else {
                     panic!("{loops} {points}: {error}")
                 };
                 assert!((t - expected).abs() < 1e-9, "{loops} {points}: {t} {expected}");

@@ -2,6 +2,7 @@
 //! forms.
 
 use kin::SolverOptions;
+use kin::error::{FailureKind, RunFailure};
 use kin::forces::Growth;
 use kin::prelude::*;
 use kin::results::SingularKind;
@@ -60,10 +61,12 @@ fn powers(growth: &[Growth]) -> Vec<(&str, f64)> {
 
 /// The motion before the toggle that ends a run.
 fn stopped(system: &System, times: &[f64]) -> (Motion, f64) {
-    match system.run_both(times).expect_err("a toggle") {
-        Error::Toggle { t, motion: Some(motion), .. } => (*motion, t),
-        other => panic!("{other}"),
-    }
+    let error = system.run_both(times).expect_err("a toggle");
+    let Some(RunFailure { t, kind: FailureKind::Toggle { .. }, .. }) = error.failure() else {
+        panic!("{error}")
+    };
+    let t = *t;
+    (error.into_motion().expect("the motion before"), t)
 }
 
 /// Driven at its slider with the speed v to the dead centre at r + l, with the torque T on its

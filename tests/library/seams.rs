@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use kin::Error;
+use kin::error::FailureKind;
 use kin::law::Break;
 use kin::prelude::*;
 
@@ -204,12 +204,13 @@ fn a_corner_behind_more_breaks_than_are_listed_ends_the_run() {
     for law in [wave() + corner.clone(), (wave() + corner.clone()).shifted(0.25)] {
         let error = driven(law.clone(), &[0.5, 1.5e9]).expect_err("a corner");
         assert!(
-            matches!(error, Error::LawJumps { order: 1, at, .. } if (at - 1e9).abs() < 1.0),
+            matches!(error.kind(), Some(FailureKind::LawJumps { order: 1, at, .. }) if (at - 1e9).abs() < 1.0),
             "{error}"
         );
         assert!(matches!(law.sharpest_break(0.5, 1.5e9), Some(Break { order: 1, .. })));
     }
     let saw =
         Law::sequence(0.0, [(1.0, Law::ramp(1.0)), (1.0, Law::linear(1.0, -1.0))]).periodic(2.0);
-    assert!(matches!(driven(saw, &[0.5, 1e10]), Err(Error::LawJumps { order: 1, at: 1.0, .. })));
+    let error = driven(saw, &[0.5, 1e10]).unwrap_err();
+    assert!(matches!(error.kind(), Some(FailureKind::LawJumps { order: 1, at: 1.0, .. })));
 }

@@ -1,8 +1,9 @@
 //! Warnings of a first run: each usual slip is reported, and what is right is not.
 
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::results::{Warning, WarningKind};
-use kin::{Error, Follow, SolverOptions};
+use kin::{Follow, SolverOptions};
 
 use crate::engines::Engines;
 
@@ -365,7 +366,7 @@ fn the_motion_of_a_run_that_ends_early_has_its_warnings() {
         .options(options.clone())
         .run(linspace(0.0, 9.0, 181))
         .unwrap_err();
-    assert!(matches!(error, Error::Toggle { .. }), "{error}");
+    assert!(matches!(error.kind(), Some(FailureKind::Toggle { .. })), "{error}");
     let kinds: Vec<_> =
         error.motion().unwrap().warnings().iter().map(|warning| warning.kind).collect();
     assert_eq!(kinds, [WarningKind::Degrees]);

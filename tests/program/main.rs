@@ -3,7 +3,6 @@
 
 mod alike;
 mod auto;
-mod before;
 mod campaign;
 mod foreign;
 mod gallery;

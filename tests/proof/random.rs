@@ -1,5 +1,6 @@
 //! Random four-bars against their closed form: what is proved is true.
 
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::results::{StepProof, Tube};
 use kin::{Follow, SolverOptions};
@@ -52,8 +53,11 @@ impl Case {
         let times = linspace(0.0, 0.6, random.usize(8..20));
         match self.system().run_both(times) {
             Ok(motion) => motion,
-            Err(kin::Error::Toggle { motion: Some(motion), .. }) => *motion,
-            Err(error) => panic!("{:?}: {error}", self.bar),
+            Err(error) => {
+                let is_toggle = matches!(error.kind(), Some(FailureKind::Toggle { .. }));
+                assert!(is_toggle, "{:?}: {error}", self.bar);
+                error.into_motion().expect("the motion before")
+            }
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Singular positions: no step over one is proved.
 
+use kin::error::FailureKind;
 use kin::prelude::*;
 use kin::results::UnprovedReason;
 use kin::{Follow, SolverOptions};
@@ -70,11 +71,9 @@ fn up_to_a_toggle() {
     let bar = FourBar { driven: 2.0, next: 1.5, last: 2.2, ground: 3.5, by_coupler: false };
     let end = bar.toggle(0.5, 1.0).unwrap() - 0.5;
     let (system, _) = bar.system(Law::linear(0.5, 1.0), 0.5, 1.0).unwrap();
-    let Err(kin::Error::Toggle { motion: Some(motion), .. }) =
-        system.run_both(linspace(0.0, 1.1 * end, 111))
-    else {
-        panic!("a toggle")
-    };
+    let error = system.run_both(linspace(0.0, 1.1 * end, 111)).expect_err("a toggle");
+    assert!(matches!(error.kind(), Some(FailureKind::Toggle { .. })), "{error}");
+    let motion = error.into_motion().expect("the motion before");
     let proof = system.prove(&motion).unwrap();
     assert!(proof.proved() + 3 >= proof.steps().len() && proof.proved() > 95, "{proof}");
     // as far as the toggle, and no further

@@ -1,6 +1,6 @@
 //! `kin drag`: the position with the drivers released, moved by wishes.
 
-use kin::Error;
+use kin::error::FailureKind;
 use kin::solver::{Reached, Released, Wish};
 use kin_view::Scene;
 use serde_json::{Value, json};
@@ -59,7 +59,7 @@ fn released(asked: &Model, at: f64) -> Result<Released, Fault> {
     let mechanism = model::mechanism(&asked.file)?;
     match mechanism.clone().build() {
         Ok(_) => Ok(model::system(asked)?.released(at)?),
-        Err(Error::CannotBeDriven { .. }) => {
+        Err(error) if matches!(error.kind(), Some(FailureKind::CannotBeDriven)) => {
             let mut released = mechanism.released(at)?;
             for setting in &asked.settings {
                 released.set(&setting.name, setting.value).map_err(Fault::asked)?;

@@ -29,11 +29,20 @@ const OF_PROGRAMS: [&str; 10] = [
     "File",
 ];
 
-/// The names of all classes, as the library's source lists them.
+/// The names of all classes, as the library's sources list them: the errors, and the kinds of a
+/// failure of a run.
 fn classes() -> BTreeSet<String> {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/model/error/mod.rs");
-    let source = std::fs::read_to_string(source).expect("readable");
-    let (_, list) = source.split_once("pub enum Error {").expect("the list");
+    let mut all = listed("mod.rs", "pub enum Error {");
+    assert!(all.remove("Run"), "the failures of a run");
+    all.extend(listed("failure.rs", "pub enum FailureKind {"));
+    all
+}
+
+fn listed(file: &str, head: &str) -> BTreeSet<String> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../kin-core/src/outcome/error/");
+    let source = std::fs::read_to_string(format!("{folder}{file}")).expect("readable");
+    let (_, list) = source.split_once(head).expect("the list");
+    let (list, _) = list.split_once("\n}\n").expect("the end of the list");
     let name = |line: &str| {
         let name = line.strip_prefix("    ").filter(|line| line.starts_with(char::is_uppercase))?;
         name.split([' ', '(', '{', ',']).next().map(str::to_owned)

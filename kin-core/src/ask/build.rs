@@ -19,16 +19,14 @@ impl Mechanism {
     ///
     /// The system may have more equations than coordinates.
     ///
-    /// Errors: the mechanism has fewer equations than coordinates ([`Error::CannotBeDriven`], with
-    /// its diagnosis at t = 0); an earlier call that returns no result, such as
-    /// [`Mechanism::prefer`], contained a mistake.
+    /// Errors: the mechanism has fewer equations than coordinates
+    /// ([`CannotBeDriven`](crate::error::FailureKind::CannotBeDriven), with its diagnosis at
+    /// t = 0); an earlier call that returns no result, such as [`Mechanism::prefer`], contained a
+    /// mistake.
     pub fn build(self) -> Result<System> {
         let system = self.system()?;
         if system.n_equations() < system.n_coordinates() {
-            return Err(Error::CannotBeDriven {
-                diagnosis: Box::new(system.diagnose(0.0)?),
-                motion: None,
-            });
+            return Err(Error::cannot_be_driven(system.diagnose(0.0)?));
         }
         Ok(system)
     }

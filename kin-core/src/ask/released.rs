@@ -75,7 +75,7 @@ impl Mechanism {
     /// may have fewer equations than coordinates.
     ///
     /// Errors: those of [`Mechanism::build`], except the one for too few equations; no position
-    /// satisfies the equations ([`Error::CannotBeDriven`], with the diagnosis).
+    /// satisfies the equations ([`CannotBeDriven`](crate::error::FailureKind::CannotBeDriven), with the diagnosis).
     pub fn released(&self, t0: f64) -> Result<Released> {
         self.clone().system()?.released(t0)
     }
@@ -107,9 +107,7 @@ impl System {
         let model = self.model();
         match search::search(model, self.initial(), t0, &|_| true, &options.search) {
             Some(found) if found.met => Ok(found.place.q),
-            _ => {
-                Err(Error::CannotBeDriven { diagnosis: Box::new(self.diagnose(t0)?), motion: None })
-            }
+            _ => Err(Error::cannot_be_driven(self.diagnose(t0)?)),
         }
     }
 }

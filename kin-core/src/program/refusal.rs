@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-/// What keeps Kin from making a program, or from running it.
+/// An obstacle that keeps Kin from making a program, or from running it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Obstacle {
     /// A constraint has no formula.
@@ -75,7 +75,7 @@ impl fmt::Display for Obstacle {
 pub(crate) struct Refusal {
     /// The constraint; empty if the mechanism itself is the reason.
     pub constraint: String,
-    /// What is in the way.
+    /// The obstacle.
     pub reason: Obstacle,
 }
 

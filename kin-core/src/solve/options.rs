@@ -95,8 +95,8 @@ pub struct SolverOptions {
     pub memory: usize,
     /// The largest work of a run on smaller steps of time and on a diagnosis after a failure, as a
     /// multiple of the usual limit (default 1). \[-\] The usual limit takes some seconds. A run
-    /// that needs more work ends with [`crate::Error::CannotFollow`]. Kin counts operations and not
-    /// time, so a run ends at the same step on each machine.
+    /// that needs more work ends with [`CannotFollow`](crate::error::FailureKind::CannotFollow).
+    /// Kin counts operations and not time, so a run ends at the same step on each machine.
     pub effort: f64,
 }
 
@@ -149,11 +149,13 @@ pub enum Engine {
 ///   are hand-written or on the dual route, have no bounds.
 /// * *Work:* the number of smaller steps times the number of coordinates is at most ten million,
 ///   which takes some seconds. In addition, a run may make twenty smaller steps for each of its
-///   times. A run that needs more steps ends with [`crate::Error::CannotFollow`]. In this case give
-///   closer times or a larger [`SolverOptions::effort`].
-/// * *Singular positions:* a toggle ends the run with [`crate::Error::Toggle`]. A run passes change
-///   points, and [`crate::Motion::singular_positions`] lists them. With redundant equations Kin
-///   checks steps by prediction alone, and the run ends at a singular position.
+///   times. A run that needs more steps ends with
+///   [`CannotFollow`](crate::error::FailureKind::CannotFollow). In this case give closer times or a
+///   larger [`SolverOptions::effort`].
+/// * *Singular positions:* a toggle ends the run with
+///   [`Toggle`](crate::error::FailureKind::Toggle). A run passes change points, and
+///   [`crate::Motion::singular_positions`] lists them. With redundant equations Kin checks steps by
+///   prediction alone, and the run ends at a singular position.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub enum Follow {
     /// Accepts each position that Newton's method finds, without a check. On a coarse grid the

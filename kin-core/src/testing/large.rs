@@ -5,6 +5,7 @@ use super::*;
 use crate::coordinates::Ground;
 use crate::joints::planar;
 use crate::model::mechanism::{Mechanism, pose};
+use crate::outcome::error::FailureKind;
 use crate::solve::newton::{Newton, first_position};
 use crate::solve::options::SolverOptions;
 use crate::system::System;
@@ -107,7 +108,7 @@ fn large_singular_system_is_told() {
         m.add(&format!("motor {k}"), relative(bodies[i], bodies[j], Law::constant(0.0))).unwrap();
     }
     let error = m.build().unwrap().run([0.0]).unwrap_err();
-    let crate::outcome::error::Error::SingularAt { rank, movable, dependent, .. } = &error else {
+    let Some(FailureKind::SingularAt { rank, movable, dependent, .. }) = error.kind() else {
         panic!("{error}")
     };
     assert_eq!(*rank, 3 * n - 1);

@@ -6,8 +6,8 @@ mod spatial;
 
 use std::time::{Duration, Instant};
 
-use kin::Error;
 use kin::diagnosis::Class;
+use kin::error::FailureKind;
 use kin::prelude::*;
 
 use crate::engines::Engines;
@@ -142,7 +142,10 @@ fn right(mechanism: Mechanism, fault: Fault) -> Result<(), String> {
             });
             (told && set).then_some(()).ok_or(error.to_string())
         }
-        (Fault::MissingDriver, Err(Error::CannotBeDriven { diagnosis, .. })) => {
+        (Fault::MissingDriver, Err(error))
+            if matches!(error.kind(), Some(FailureKind::CannotBeDriven)) =>
+        {
+            let Some(diagnosis) = error.diagnosis() else { return Err(error.to_string()) };
             (diagnosis.lasting_freedoms().count() == 1).then_some(()).ok_or(diagnosis.to_string())
         }
         (_, Ok((found, _))) => Err(format!("ran: {found}")),

@@ -1,7 +1,7 @@
 //! Makes the diagnosis that the error of a failed run carries.
 
 use super::{Diagnosis, diagnose};
-use crate::outcome::error::Error;
+use crate::outcome::error::{Error, FailureKind, RunFailure};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::options::SolverOptions;
 use crate::system::System;
@@ -26,7 +26,7 @@ fn cannot_be_driven(model: Model<'_>, start: Start<'_>, t: f64, options: &Solver
         Ok(_) if work.is_spent() => unsolved(model, start, t, None),
         // An error never carries a diagnosis without a fault.
         Ok(diagnosis) if diagnosis.can_be_driven() => unsolved(model, start, t, Some(diagnosis)),
-        Ok(diagnosis) => Error::CannotBeDriven { diagnosis: Box::new(diagnosis), motion: None },
+        Ok(diagnosis) => Error::cannot_be_driven(diagnosis),
         Err(error) => error,
     }
 }
@@ -43,32 +43,24 @@ fn unsolved(model: Model<'_>, start: Start<'_>, t: f64, diagnosis: Option<Diagno
     let (constraint, row) = block
         .map(|(block, local)| (block.name.clone(), block.row(local).to_string()))
         .unwrap_or_default();
-    Error::NoConvergence {
-        t,
-        units: model.layout.words.clone(),
-        iterations: 0,
-        constraint,
-        row,
-        residual,
-        last: None,
-        diagnosis: diagnosis.map(Box::new),
-        motion: None,
-    }
+    let kind = FailureKind::NoConvergence { iterations: 0, constraint, row, residual, last: None };
+    let units = model.layout.words.clone();
+    Error::Run(Box::new(RunFailure { t, units, kind, motion: None, diagnosis }))
 }
 
 pub(crate) fn explained(mut error: Error, system: &System, options: &SolverOptions) -> Error {
-    if let Error::SingularAt { t, diagnosis, motion, .. }
-    | Error::NoConvergence { t, diagnosis, motion, .. }
-    | Error::Toggle { asked: t, diagnosis, motion, .. } = &mut error
+    if let Error::Run(failure) = &mut error
+        && let Some(t) = failure.unreached()
         && system.n_coordinates() <= EXAMINED
     {
-        let last = motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
+        let last =
+            failure.motion.as_ref().and_then(|motion| Some(motion.q(motion.len().checked_sub(1)?)));
         let start = last.map_or(Start::Guess(system.initial()), Start::Pose);
         let work = Work::new(WORK * options.effort);
         let model = Model { work: Some(&work), ..system.model() };
-        let found = diagnose(model, start, *t, &options.search);
+        let found = diagnose(model, start, t, &options.search);
         // Of a search that was not brought to its end nothing is reported.
-        *diagnosis = found.ok().filter(|_| !work.is_spent()).map(Box::new);
+        failure.diagnosis = found.ok().filter(|_| !work.is_spent());
     }
     error
 }

@@ -10,7 +10,7 @@ use super::{Follower, drivers};
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::law::Law;
 use crate::outcome::error::surface::Surface;
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result};
 use crate::outcome::motion::{Branch, Motion, SingularKind, SingularPosition};
 use crate::outcome::words::{list, time as written};
 use crate::solve::follow::{Curve, CurvePoint, root};
@@ -284,8 +284,10 @@ impl<'a> Centre<'a> {
     /// Returns the dead centre as a singular position of the system at time t.
     fn singular(&self, system: &System, t: f64, [qd, qdd]: &Rates) -> SingularPosition {
         let q = &self.place.x[..self.place.x.len() - 1];
-        let (movable, dependent) = match system.singular(t, q, None) {
-            Error::SingularAt { movable, dependent, .. } => (movable, dependent.to_vec()),
+        let (movable, dependent) = match system.singular(t, q, None).kind() {
+            Some(FailureKind::SingularAt { movable, dependent, .. }) => {
+                (movable.clone(), dependent.clone())
+            }
             _ => Default::default(),
         };
         let branches = vec![Branch { qd: qd.clone(), qdd: qdd.clone() }];
@@ -421,11 +423,13 @@ pub(in crate::ask) fn at_an_end(
 ) -> Result<Motion> {
     let done = error.motion().map_or(0, Motion::len);
     let is_singular = matches!(
-        error,
-        Error::SingularAt { .. }
-            | Error::Toggle { .. }
-            | Error::NoConvergence { .. }
-            | Error::CannotFollow { .. }
+        error.kind(),
+        Some(
+            FailureKind::SingularAt { .. }
+                | FailureKind::Toggle { .. }
+                | FailureKind::NoConvergence { .. }
+                | FailureKind::CannotFollow { .. }
+        )
     );
     if !is_singular {
         return Err(error);

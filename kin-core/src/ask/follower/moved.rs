@@ -4,7 +4,7 @@ use super::small::Small;
 use super::{Follower, Regular};
 use crate::ask::diagnosis::explain::EXPLAIN;
 use crate::ask::proof::Proof;
-use crate::outcome::error::{CannotReach, Error, Result};
+use crate::outcome::error::{CannotReach, Error, FailureKind, Result};
 use crate::outcome::motion::{Motion, SingularPosition};
 use crate::outcome::named_value::NamedValue;
 use crate::outcome::words::list;
@@ -115,7 +115,7 @@ impl Follower {
     fn stop(&mut self, error: Error, (start, q): (Vec<f64>, Vec<f64>), targets: &[f64]) -> Error {
         let singular =
             error.motion().and_then(|motion| motion.singular_positions().last().cloned());
-        let is_end = matches!(error, Error::Toggle { .. });
+        let is_end = matches!(error.kind(), Some(FailureKind::Toggle { .. }));
         let Some(found) = singular.filter(|_| is_end) else {
             let reason = reason(&error);
             self.rest_at(&self.values());
@@ -180,21 +180,22 @@ impl Follower {
 
 /// Returns why a move ended, without the path parameter that stands for the time of the run.
 fn reason(error: &Error) -> String {
-    match error {
-        Error::CannotFollow { reason, .. } => (*reason).to_string(),
-        Error::WrongBranch { constraint, reason, .. } => {
+    let Some(kind) = error.kind() else { return error.to_string() };
+    match kind {
+        FailureKind::CannotFollow { reason } => reason.to_string(),
+        FailureKind::WrongBranch { constraint, reason, .. } => {
             format!("the axes of `{constraint}` would change their branch: {reason}")
         }
-        Error::NotFinite { constraint, quantity, .. } => {
+        FailureKind::NotFinite { constraint, quantity, .. } => {
             format!("{quantity} of `{constraint}` is not finite on the way")
         }
-        Error::NoConvergence { constraint, .. } => {
+        FailureKind::NoConvergence { constraint, .. } => {
             format!("Newton's method does not satisfy `{constraint}` on the way")
         }
-        Error::SingularAt { dependent, .. } => {
+        FailureKind::SingularAt { dependent, .. } => {
             format!("the equations {} depend on one another on the way", list(dependent))
         }
-        other => other.to_string(),
+        _ => error.to_string(),
     }
 }
 

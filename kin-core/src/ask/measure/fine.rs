@@ -20,7 +20,7 @@ use super::Measure;
 use super::changes::Changes;
 use crate::coordinates::units::Unit;
 use crate::law::Law;
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result, UnfollowedReason};
 use crate::solve::follow::REACH;
 use crate::solve::motion::{EventKind, Motion, Quantity};
 use crate::solve::newton::Outcome;
@@ -50,7 +50,6 @@ const SHORTEST: f64 = 1e-7;
 
 /// The largest number of added times.
 const MOST: usize = 100_000;
-const TOO_MANY: &str = "between two times of the motion Kin would need more than 100 000 additional times. Give times that are closer together";
 
 /// A motion with enough additional times to show everything between its times.
 pub(super) struct Fine {
@@ -390,5 +389,6 @@ fn joined(system: &System, poses: [&Motion; 3]) -> Motion {
 }
 
 fn too_many(motion: &Motion, t: f64) -> Error {
-    Error::CannotFollow { t, units: motion.unit_words().clone(), reason: TOO_MANY, motion: None }
+    let reason = UnfollowedReason::TooManyTimes;
+    FailureKind::CannotFollow { reason }.at(t, motion.unit_words())
 }

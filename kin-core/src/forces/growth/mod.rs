@@ -11,7 +11,7 @@ mod asked;
 mod power;
 
 use super::acting::Now;
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result};
 use crate::outcome::growth::{Growth, Unbounded};
 use crate::solve::follow::SingularPosition;
 use crate::solve::motion::Motion;
@@ -77,8 +77,8 @@ pub(super) fn explained(
         times.windows(2).fold(f64::INFINITY, |least, two| least.min((two[1] - two[0]).abs()));
     let is_here = |position: &&SingularPosition| (position.t - t).abs() <= AT_ONCE * step;
     let Some(position) = motion.singular_positions().iter().find(is_here) else { return error };
-    match (&error, towards(system, motion, position, acting)) {
-        (Error::SingularAt { .. }, Ok(growth)) if !growth.is_empty() => {
+    match (error.kind(), towards(system, motion, position, acting)) {
+        (Some(FailureKind::SingularAt { .. }), Ok(growth)) if !growth.is_empty() => {
             Box::new(Unbounded { t, growth, units: system.unit_words().clone() }).into()
         }
         _ => error,

@@ -1,11 +1,26 @@
 //! Builds errors whose data have a type of their own.
 
-use super::Error;
+use super::{Error, FailureKind, RunFailure};
 use crate::coordinates::layout::{Layout, Undeclared};
 use crate::outcome::no_derivative::NoDerivative;
 use crate::outcome::not_unique::NotUnique;
+use crate::outcome::verdict::Diagnosis;
 
 impl Error {
+    /// Builds the error for a mechanism that nothing can drive.
+    pub(crate) fn cannot_be_driven(diagnosis: Diagnosis) -> Error {
+        let t = diagnosis.t;
+        let units = diagnosis.units.clone();
+        let kind = FailureKind::CannotBeDriven;
+        Error::Run(Box::new(RunFailure {
+            t,
+            units,
+            kind,
+            motion: None,
+            diagnosis: Some(diagnosis),
+        }))
+    }
+
     /// Builds the error for a parameter without a known derivative.
     pub(crate) fn no_derivative(by: &str, reason: impl Into<String>) -> Error {
         Box::new(NoDerivative { by: by.to_string(), reason: reason.into() }).into()

@@ -5,19 +5,19 @@
 use std::path::PathBuf;
 
 use crate::coordinates::units::Units;
-use crate::outcome::culprit::Culprit;
 use crate::outcome::motion::Motion;
-use crate::outcome::verdict::Diagnosis;
 use crate::outcome::words;
 mod cannot_reach;
 mod carried;
 mod constructors;
+mod failure;
 mod other_motion;
 pub(crate) mod surface;
 mod text;
 
 pub use cannot_reach::CannotReach;
 pub use carried::Result;
+pub use failure::{FailureKind, RunFailure, UnfollowedReason};
 pub use other_motion::OtherMotion;
 
 /// An error of Kin.
@@ -26,154 +26,9 @@ pub use other_motion::OtherMotion;
 #[derive(thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
-    /// Nothing can drive the mechanism in any pose: equations are missing or contradict each other.
-    #[error("{diagnosis}{}", text::computed_before(.motion))]
-    CannotBeDriven {
-        /// The diagnosis, with names.
-        diagnosis: Box<Diagnosis>,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
-    /// Newton's method did not reach C(q, t) = 0.
-    #[error("{}{}", text::unmet(&words::at(*.t, .units), .diagnosis, || text::worst(*.iterations, .constraint, .row, *.residual)),
-        text::no_convergence(*.last, .units, .diagnosis, .motion))]
-    NoConvergence {
-        /// Time.   \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// Newton steps taken.
-        iterations: usize,
-        /// The constraint with the largest residual.
-        constraint: String,
-        /// The row of that constraint; empty for a constraint of one row.
-        row: String,
-        /// |C| of that row, in the row's unit.
-        residual: f64,
-        /// The last time at which the position was found.   \[s\]
-        last: Option<f64>,
-        /// The diagnosis at this time, with names and the smallest distance that the parts can
-        /// reach.
-        diagnosis: Option<Box<Diagnosis>>,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
-    /// C_q has no inverse at a position: the position is a toggle or a change point, or the
-    /// constraints of the mechanism are wrong.
-    #[error("{}{}{}", text::diagnosed(.diagnosis, || text::singular(&words::at(*.t, .units), [*.rank, *.n],
-        [.movable, .dependent], .unmet)), text::drawn(*.drawn), text::computed_before(.motion))]
-    SingularAt {
-        /// Time.   \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// Number of coordinates.
-        n: usize,
-        /// Numerical rank of C_q in units of order 1. It is n if C_q is singular only within
-        /// rounding.
-        rank: usize,
-        /// The smallest pivot of the elimination, relative to its row.
-        pivot: f64,
-        /// Bodies and coordinates that can move while all drivers are at rest.
-        movable: Vec<String>,
-        /// Equations that depend on one another.
-        dependent: Box<[String]>,
-        /// An equation with a large residual at the end of the search; `None` at a position.
-        unmet: Option<Box<str>>,
-        /// True if this pose is the guess, and the guess satisfies every equation.
-        drawn: bool,
-        /// The diagnosis at this time, with names.
-        diagnosis: Option<Box<Diagnosis>>,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
-    /// A toggle: the mechanism cannot be driven beyond it; what it moves has an infinite rate
-    /// there.
-    #[error("no position exists beyond the toggle at t = {}.{}{}", words::at(*.t, .units),
-        text::toggle(.movable, .diagnosis), text::computed_before(.motion))]
-    Toggle {
-        /// The time t* of the toggle.   \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// The requested time. \[s\]
-        asked: f64,
-        /// Bodies and coordinates that can move at t* while all drivers are at rest.
-        movable: Vec<String>,
-        /// Equations that depend on one another at t*.
-        dependent: Vec<String>,
-        /// The diagnosis at the requested time, with names and the smallest distance that the parts
-        /// can reach.
-        diagnosis: Option<Box<Diagnosis>>,
-        /// The motion computed before the failure. Its last [`Motion::singular_positions`] is the
-        /// toggle.
-        motion: Option<Box<Motion>>,
-    },
-    /// A step may have left its branch, and Kin cannot make the step shorter.
-    #[error("{}", text::cannot_follow(&words::at(*.t, .units), reason, .motion))]
-    CannotFollow {
-        /// The last time at which the branch is known.   \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// The reason.
-        reason: &'static str,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
-    /// A position satisfies the equations but is on the wrong branch: an axis, for example, has
-    /// turned by 180°.
-    #[error("{}", text::wrong_branch(&words::at(*.t, .units), [constraint, kind, reason], .motion))]
-    WrongBranch {
-        /// Time.   \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// The constraint.
-        constraint: String,
-        /// Its kind.
-        kind: String,
-        /// The condition that is not satisfied.
-        reason: String,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
-    /// A discontinuous law drives the motion.
-    #[error("{}", text::law_jumps(&words::at(*.t, .units), [constraint, law], (*.at, *.order), .motion))]
-    LawJumps {
-        /// The first time after the jump. \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// The constraint.
-        constraint: String,
-        /// The name of the law in the constraint.
-        law: String,
-        /// The argument of the law at the jump.
-        at: f64,
-        /// The derivative that jumps: 0 the value, 1 the slope.
-        order: usize,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
-    /// A constraint returned a value or derivative that is infinite or not a number.
-    #[error("{quantity} of `{constraint}`{} is not finite at t = {}{culprit}{}", words::row(.row), words::at(*.t, .units), text::computed_before(.motion))]
-    NotFinite {
-        /// Time.   \[s\]
-        t: f64,
-        /// Names of the units of length and time.
-        units: Units,
-        /// The constraint.
-        constraint: String,
-        /// The name of the row; empty for a constraint of one row.
-        row: String,
-        /// The quantity: `C`, `C_q`, `C_t` or `Q_d`; `q'` or `q''` if only the solution overflows.
-        quantity: &'static str,
-        /// The subexpression that caused it, as the user wrote it, and the values of its operands.
-        culprit: Box<Culprit>,
-        /// The motion computed before the failure.
-        motion: Option<Box<Motion>>,
-    },
+    /// A run or a single position failed ([`RunFailure`]).
+    #[error(transparent)]
+    Run(#[from] Box<RunFailure>),
 
     /// A parameter of a constraint is infinite or not a number.
     #[error("`{constraint}` has {value} as its parameter `{parameter}`. Give a finite number")]
@@ -348,7 +203,7 @@ pub enum Error {
 
     /// A stop condition ended a sweep or a run ([`crate::solver::Sweep::stop_when`],
     /// [`crate::Solver::stop_when`]).
-    #[error("{}{}", text::stopped([*.done, *.all], .motion), text::computed_before(.motion))]
+    #[error("{}{}", text::stopped([*.done, *.all], .motion.is_some()), text::computed_before(.motion.as_deref()))]
     Stopped {
         /// The number of computed cases or times.
         done: usize,

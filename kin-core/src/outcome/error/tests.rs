@@ -18,17 +18,14 @@ fn error_is_small_and_crosses_threads() {
 
 #[test]
 fn no_convergence_names_the_row_and_the_last_time() {
-    let error = Error::NoConvergence {
-        t: 0.31,
-        units: Units::default(),
+    let kind = FailureKind::NoConvergence {
         iterations: 20,
         constraint: "B".into(),
         row: "y".into(),
         residual: 0.04,
         last: Some(0.3),
-        diagnosis: None,
-        motion: None,
     };
+    let error = kind.at(0.31, &Units::default());
     let text = error.to_string();
     assert!(
         text.starts_with(

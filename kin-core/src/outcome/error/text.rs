@@ -1,8 +1,8 @@
 //! Builds the sentences of error messages that depend on what Kin knows.
 
 use crate::coordinates::units::Units;
-use crate::outcome::error::Error;
 use crate::outcome::error::surface::Surface;
+use crate::outcome::error::{Error, UnfollowedReason};
 use crate::outcome::motion::Motion;
 use crate::outcome::similar;
 use crate::outcome::verdict::Diagnosis;
@@ -12,8 +12,7 @@ use crate::outcome::words::{GROUND, at, bytes, count, list, row, time};
 pub(super) fn no_convergence(
     last: Option<f64>,
     units: &Units,
-    diagnosis: &Option<Box<Diagnosis>>,
-    motion: &Option<Box<Motion>>,
+    diagnosis: Option<&Diagnosis>,
 ) -> String {
     let found = details(diagnosis);
     let Some(t) = last else {
@@ -29,21 +28,17 @@ pub(super) fn no_convergence(
     } else {
         ""
     };
-    format!(
-        "\n  Kin found the last position at t = {}.{found}{cure}{}",
-        at(t, units),
-        computed_before(motion)
-    )
+    format!("\n  Kin found the last position at t = {}.{found}{cure}", at(t, units))
 }
 
 /// Message of a position that does not exist, where the diagnosis has found why; else that of the
 /// solver.
 pub(super) fn unmet(
     at: &str,
-    diagnosis: &Option<Box<Diagnosis>>,
+    diagnosis: Option<&Diagnosis>,
     solver: impl Fn() -> String,
 ) -> String {
-    match diagnosis.as_ref().filter(|diagnosis| !diagnosis.gaps.is_empty()) {
+    match diagnosis.filter(|diagnosis| !diagnosis.gaps.is_empty()) {
         Some(diagnosis) => {
             format!("the mechanism \"{}\" cannot be assembled at t = {at}.", diagnosis.mechanism)
         }
@@ -52,13 +47,18 @@ pub(super) fn unmet(
 }
 
 /// Lists the faults, one per line. The text is empty if nothing is wrong or no diagnosis exists.
-fn details(diagnosis: &Option<Box<Diagnosis>>) -> String {
-    diagnosis.as_ref().map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
+fn details(diagnosis: Option<&Diagnosis>) -> String {
+    diagnosis.map(|diagnosis| diagnosis.details().to_string()).unwrap_or_default()
+}
+
+/// Returns the complete diagnosis.
+pub(super) fn report(diagnosis: Option<&Diagnosis>) -> String {
+    diagnosis.map(Diagnosis::to_string).unwrap_or_default()
 }
 
 /// Returns the complete diagnosis if it found a fault, otherwise the message of the solver.
-pub(super) fn diagnosed(diagnosis: &Option<Box<Diagnosis>>, solver: impl Fn() -> String) -> String {
-    let found = diagnosis.as_ref().filter(|diagnosis| !diagnosis.can_be_driven());
+pub(super) fn diagnosed(diagnosis: Option<&Diagnosis>, solver: impl Fn() -> String) -> String {
+    let found = diagnosis.filter(|diagnosis| !diagnosis.can_be_driven());
     found.map_or_else(solver, |diagnosis| diagnosis.to_string())
 }
 
@@ -68,7 +68,7 @@ pub(super) fn singular(
     at: &str,
     [rank, n]: [usize; 2],
     [movable, dependent]: [&[String]; 2],
-    unmet: &Option<Box<str>>,
+    unmet: Option<&str>,
 ) -> String {
     let rank = if rank < n {
         format!("has rank {rank}")
@@ -103,9 +103,9 @@ pub(super) fn drawn(drawn: bool) -> &'static str {
 
 /// The message of a position beyond a toggle: why it cannot be reached, and what can move at the
 /// toggle.
-pub(super) fn toggle(movable: &[String], diagnosis: &Option<Box<Diagnosis>>) -> String {
+pub(super) fn toggle(movable: &[String], diagnosis: Option<&Diagnosis>) -> String {
     let found = details(diagnosis);
-    let is_cured = diagnosis.as_ref().is_some_and(|diagnosis| !diagnosis.changes.is_empty());
+    let is_cured = diagnosis.is_some_and(|diagnosis| !diagnosis.changes.is_empty());
     let cure = found.rsplit_once("\n  ").filter(|_| is_cured);
     let (why, cure) =
         cure.unwrap_or((&found, "End the motion before the toggle, or drive another body."));
@@ -114,25 +114,19 @@ pub(super) fn toggle(movable: &[String], diagnosis: &Option<Box<Diagnosis>>) -> 
 }
 
 /// Returns the message for a run that may have left its branch.
-pub(super) fn cannot_follow(at: &str, reason: &str, motion: &Option<Box<Motion>>) -> String {
+pub(super) fn cannot_follow(at: &str, reason: UnfollowedReason) -> String {
     format!(
         "Kin cannot confirm that the run stays on its branch beyond t = {at}: {reason}.\n  A law or \
-         constraint may have a kink there, or the pose may be singular in more than one way.{}{}",
-        Surface::chosen().unchecked(),
-        computed_before(motion)
+         constraint may have a kink there, or the pose may be singular in more than one way.{}",
+        Surface::chosen().unchecked()
     )
 }
 
 /// Returns the message for a position on the wrong branch.
-pub(super) fn wrong_branch(
-    at: &str,
-    [constraint, kind, reason]: [&str; 3],
-    motion: &Option<Box<Motion>>,
-) -> String {
+pub(super) fn wrong_branch(at: &str, [constraint, kind, reason]: [&str; 3]) -> String {
     format!(
         "`{constraint}` ({kind}) is assembled the wrong way round at t = {at}: {reason}.\n  Give a better guess of the poses, \
-         or reverse one of the directions.{}",
-        computed_before(motion)
+         or reverse one of the directions."
     )
 }
 
@@ -141,20 +135,18 @@ pub(super) fn law_jumps(
     at: &str,
     [constraint, law]: [&str; 2],
     (x, order): (f64, usize),
-    motion: &Option<Box<Motion>>,
 ) -> String {
     let what = if order == 0 { "value" } else { "slope" };
     format!(
         "the law `{law}` of `{constraint}` jumps at t = {at}: the {what} of the law changes suddenly at {}, and no body can follow.\n  \
-         Join the parts of the law with equal value and slope, or end the run before this time.{}",
-        time(x),
-        computed_before(motion)
+         Join the parts of the law with equal value and slope, or end the run before this time.",
+        time(x)
     )
 }
 
 /// Says that the motion before the failure is available.
-pub(super) fn computed_before(motion: &Option<Box<Motion>>) -> String {
-    motion.as_deref().map(motion_before).unwrap_or_default()
+pub(super) fn computed_before(motion: Option<&Motion>) -> String {
+    motion.map(motion_before).unwrap_or_default()
 }
 
 impl Error {
@@ -178,8 +170,8 @@ pub(super) fn motion_before(motion: &Motion) -> String {
 }
 
 /// Returns the message for a sweep or a run that was stopped. A run carries its motion.
-pub(super) fn stopped([done, all]: [usize; 2], motion: &Option<Box<Motion>>) -> String {
-    let (what, parts) = if motion.is_some() { ("run", "times") } else { ("sweep", "cases") };
+pub(super) fn stopped([done, all]: [usize; 2], is_run: bool) -> String {
+    let (what, parts) = if is_run { ("run", "times") } else { ("sweep", "cases") };
     format!("your program stopped the {what} after {done} of {all} {parts}")
 }
 

@@ -12,6 +12,7 @@
 use super::drive::{Drive, Lever, Span};
 use crate::coordinates::units::Unit;
 use crate::numbers::padded::{self, Padded};
+use crate::outcome::error::UnfollowedReason;
 use crate::solve::newton::Newton;
 use crate::system::System;
 use crate::system::evaluate::{Equations, Instant};
@@ -60,21 +61,19 @@ pub(crate) enum Objection {
 
 impl Objection {
     /// Returns the reason, unless shorter steps certainly help.
-    pub(crate) fn of_branches(self) -> Option<&'static str> {
+    pub(crate) fn of_branches(self) -> Option<UnfollowedReason> {
         match self {
             Objection::Missed(_) | Objection::TurnedOver => Some(self.reason()),
             Objection::Long | Objection::Hidden => None,
         }
     }
 
-    pub(crate) fn reason(self) -> &'static str {
+    pub(crate) fn reason(self) -> UnfollowedReason {
         match self {
-            Objection::Long => "a body turns too far in one time step",
-            Objection::Missed(_) => "the next position differs from the predicted position",
-            Objection::TurnedOver => "a loop of the mechanism has turned over",
-            Objection::Hidden => {
-                "a driver may move further within a time step than from its beginning to its end"
-            }
+            Objection::Long => UnfollowedReason::TurnsTooFar,
+            Objection::Missed(_) => UnfollowedReason::PredictionMissed,
+            Objection::TurnedOver => UnfollowedReason::TurnedOver,
+            Objection::Hidden => UnfollowedReason::HiddenDrive,
         }
     }
 }

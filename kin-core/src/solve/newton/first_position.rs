@@ -15,7 +15,7 @@
 //! nearer to preferred values.
 
 use super::{Failure, Newton, Outcome, Steps, driven};
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result};
 use crate::solve::assembly::{self, search, turned_over};
 use crate::solve::options::Follow;
 use crate::system::scale;
@@ -150,7 +150,8 @@ fn attempt(newton: &mut Newton<'_>, t: f64, steps: Steps) -> Result<Outcome> {
 /// with that body turned over.
 fn attempt_any_way_up(newton: &mut Newton<'_>, t: f64) -> Result<Outcome> {
     let tried = attempt(newton, t, Steps::Damped);
-    if let Err(Error::WrongBranch { .. }) = tried
+    if let Err(error) = &tried
+        && matches!(error.kind(), Some(FailureKind::WrongBranch { .. }))
         && let Some(found) = turned_over::mended(
             newton.system.model(),
             &newton.q,
@@ -232,7 +233,9 @@ fn drawn(newton: &mut Newton<'_>, guess: &[f64], t: f64) -> Option<(f64, Error)>
     newton.q.copy_from_slice(guess);
     let far = distance(newton);
     let mut error = newton.system.singular(t, guess, None);
-    if let Error::SingularAt { drawn, .. } = &mut error {
+    if let Error::Run(failure) = &mut error
+        && let FailureKind::SingularAt { drawn, .. } = &mut failure.kind
+    {
         *drawn = true;
     }
     Some((far, error))
@@ -241,11 +244,11 @@ fn drawn(newton: &mut Newton<'_>, guess: &[f64], t: f64) -> Option<(f64, Error)>
 /// Returns the more informative error: a singular position before none, and a near miss before a
 /// far one.
 fn more_telling(known: Option<Error>, new: Error) -> Error {
-    let weight = |error: &Error| match error {
-        Error::WrongBranch { .. } => (4, 0.0),
-        Error::SingularAt { unmet: None, .. } => (3, 0.0),
-        Error::NoConvergence { residual, .. } => (2, *residual),
-        Error::SingularAt { .. } => (1, 0.0),
+    let weight = |error: &Error| match error.kind() {
+        Some(FailureKind::WrongBranch { .. }) => (4, 0.0),
+        Some(FailureKind::SingularAt { unmet: None, .. }) => (3, 0.0),
+        Some(FailureKind::NoConvergence { residual, .. }) => (2, *residual),
+        Some(FailureKind::SingularAt { .. }) => (1, 0.0),
         _ => (0, 0.0),
     };
     match known {

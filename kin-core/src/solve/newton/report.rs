@@ -2,7 +2,7 @@
 //! solution.
 
 use super::{Failure, Newton, Outcome};
-use crate::outcome::error::Error;
+use crate::outcome::error::{Error, FailureKind};
 use crate::system::{Report, Solution};
 
 /// A position with a smallest pivot above this value is not called singular, whatever stopped
@@ -15,12 +15,12 @@ const UNMET: f64 = 1e-2;
 
 impl Newton<'_> {
     /// Returns the equation with a large residual at the present point, if there is one.
-    fn unmet(&self) -> Option<Box<str>> {
+    fn unmet(&self) -> Option<String> {
         let shares =
             self.c.iter().zip(self.linear.norms()).map(|(c, norm)| c.abs() / norm).enumerate();
         let (row, share) =
             shares.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
-        (share > UNMET).then(|| self.system.equations().equation(row).into())
+        (share > UNMET).then(|| self.system.equations().equation(row))
     }
 
     /// Returns the row with the largest |C_i|, and that value, for unscaled rows.
@@ -59,7 +59,7 @@ impl Newton<'_> {
             Failure::Singular => match self.system.singular(t, &self.q, self.unmet()) {
                 // The singular point that stopped the iteration was not the solution: the iterates
                 // were lost.
-                Error::SingularAt { pivot, .. } if pivot > REGULAR => {
+                error if is_regular(&error) => {
                     let (row, residual) = self.worst();
                     self.error(Failure::NoConvergence { row, residual }, t, last)
                 }
@@ -67,18 +67,15 @@ impl Newton<'_> {
             },
             Failure::NoConvergence { row, residual } => {
                 let (constraint, row) = self.system.row_name(row);
-                Error::NoConvergence {
-                    t,
-                    units: self.system.unit_words().clone(),
-                    iterations: self.steps - self.steps_before,
-                    constraint,
-                    row,
-                    residual,
-                    last,
-                    diagnosis: None,
-                    motion: None,
-                }
+                let iterations = self.steps - self.steps_before;
+                FailureKind::NoConvergence { iterations, constraint, row, residual, last }
+                    .at(t, self.system.unit_words())
             }
         }
     }
+}
+
+/// Returns true if an error of a singular position has a pivot far from zero.
+fn is_regular(error: &Error) -> bool {
+    matches!(error.kind(), Some(FailureKind::SingularAt { pivot, .. }) if *pivot > REGULAR)
 }

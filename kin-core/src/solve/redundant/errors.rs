@@ -1,7 +1,7 @@
 //! Builds the errors of a mechanism with more equations than coordinates that cannot be solved at a
 //! time.
 
-use crate::outcome::error::Error;
+use crate::outcome::error::{Error, FailureKind};
 use crate::system::System;
 
 /// Returns the error without a diagnosis: it names the equation with the largest residual.
@@ -21,18 +21,8 @@ pub(super) fn unmet(
             let (worst, residual) =
                 rows.fold((0, 0.0), |worst, row| if row.1 > worst.1 { row } else { worst });
             let (constraint, row) = system.row_name(worst);
-            let units = system.layout().words.clone();
-            Error::NoConvergence {
-                t,
-                units,
-                iterations,
-                constraint,
-                row,
-                residual,
-                last,
-                diagnosis: None,
-                motion: None,
-            }
+            FailureKind::NoConvergence { iterations, constraint, row, residual, last }
+                .at(t, &system.layout().words)
         }
     }
 }

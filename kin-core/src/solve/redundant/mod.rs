@@ -15,7 +15,7 @@ mod solver;
 
 use crate::coordinates::units::Units;
 use crate::numbers::padded::{self, Padded};
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result, UnfollowedReason};
 use crate::solve::explain::{Explain, Start};
 use crate::solve::follow::{Drive, Objection};
 use crate::solve::motion::Motion;
@@ -380,8 +380,7 @@ impl Stepping for Position<'_> {
             Trouble::Unsolved => self.blamed(false, target),
             Trouble::Wrong(error) | Trouble::Disagreed(error) => error,
             Trouble::Objected(objection) => {
-                let units = self.units().clone();
-                Error::CannotFollow { t, units, reason: objection.reason(), motion: None }
+                FailureKind::CannotFollow { reason: objection.reason() }.at(t, self.units())
             }
         })
     }
@@ -390,7 +389,7 @@ impl Stepping for Position<'_> {
         &mut self.effort
     }
 
-    fn objection(trouble: &Trouble) -> Option<&'static str> {
+    fn objection(trouble: &Trouble) -> Option<UnfollowedReason> {
         match trouble {
             Trouble::Objected(objection) => objection.of_branches(),
             _ => None,

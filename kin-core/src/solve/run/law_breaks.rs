@@ -5,7 +5,7 @@
 use std::f64::consts::{PI, TAU};
 
 use crate::law::{Break, Law, MOST_BREAKS};
-use crate::outcome::error::Error;
+use crate::outcome::error::{Error, FailureKind};
 use crate::outcome::motion::CrossedBreak;
 use crate::system::System;
 use crate::system::evaluate::Instant;
@@ -95,15 +95,9 @@ impl LawBreaks {
             if let Some(CrossedBreak { constraint, law, found, .. }) = jumps {
                 // The run ends before these breaks.
                 crossed.truncate(known);
-                return Err(Error::LawJumps {
-                    t,
-                    units: system.unit_words().clone(),
-                    constraint,
-                    law,
-                    at: found.x,
-                    order: found.order,
-                    motion: None,
-                });
+                let order = found.order;
+                let kind = FailureKind::LawJumps { constraint, law, at: found.x, order };
+                return Err(kind.at(t, system.unit_words()));
             }
         }
         Ok(())

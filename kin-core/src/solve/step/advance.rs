@@ -5,8 +5,7 @@
 //! whole steps. If a whole step of a program fails, this loop continues.
 
 use crate::coordinates::units::Units;
-use crate::outcome::error::surface::Surface;
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result, UnfollowedReason};
 use crate::solve::newton::Outcome;
 use crate::solve::options::resolution;
 
@@ -127,7 +126,7 @@ pub(in crate::solve) trait Stepping {
     fn effort(&mut self) -> &mut Effort;
 
     /// Returns why steps fail, if their length is not the reason.
-    fn objection(trouble: &Self::Trouble) -> Option<&'static str>;
+    fn objection(trouble: &Self::Trouble) -> Option<UnfollowedReason>;
 
     /// Returns the names of the units for messages.
     fn units(&self) -> &Units;
@@ -153,7 +152,7 @@ pub(in crate::solve) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> R
                 let more = tried * ((to - t) / (t - from)).abs();
                 let effort = stepper.effort();
                 if !effort.spend(1.0) || (tried >= MANY && more > effort.left) {
-                    return Err(exhausted(stepper, t, Surface::chosen().too_many_steps()));
+                    return Err(exhausted(stepper, t, UnfollowedReason::TooManySteps));
                 }
             }
             Err(trouble) => {
@@ -165,7 +164,7 @@ pub(in crate::solve) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> R
                     return Err(exhausted(
                         stepper,
                         t,
-                        objection.unwrap_or_else(|| Surface::chosen().too_many_steps()),
+                        objection.unwrap_or(UnfollowedReason::TooManySteps),
                     ));
                 }
                 if !stepper.is_short(target - t, target, asked, &trouble) {
@@ -186,6 +185,6 @@ pub(in crate::solve) fn advance<S: Stepping>(stepper: &mut S, asked: Asked) -> R
 
 /// Builds the error of a run that has spent its effort at time t.
 #[cold]
-fn exhausted(stepper: &impl Stepping, t: f64, reason: &'static str) -> Error {
-    Error::CannotFollow { t, units: stepper.units().clone(), reason, motion: None }
+fn exhausted(stepper: &impl Stepping, t: f64, reason: UnfollowedReason) -> Error {
+    FailureKind::CannotFollow { reason }.at(t, stepper.units())
 }

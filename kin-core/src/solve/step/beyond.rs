@@ -4,8 +4,7 @@
 use super::advance::{Asked, SHORTEST};
 use super::stepper::{SHORT, Stepper, Trouble};
 use crate::coordinates::units::Units;
-use crate::outcome::error::surface::Surface;
-use crate::outcome::error::{Error, Result};
+use crate::outcome::error::{Error, FailureKind, Result, UnfollowedReason};
 use crate::solve::follow::{
     self, Branch, Check, Landed, Lost, Objection, SingularKind, SingularPosition,
 };
@@ -46,14 +45,11 @@ impl Stepper<'_> {
         let is_far = (target - t).abs() <= SHORTEST * (to - t).abs()
             && self.check.is_some()
             && self.moved(target - t, target) > SHORT;
+        let units = self.newton.system.unit_words();
+        let lost = |reason| FailureKind::CannotFollow { reason }.at(t, units);
         Err(match trouble {
             // Even the shortest step rotates bodies too far for Newton's method.
-            Trouble::Failed(_) if is_far => Error::CannotFollow {
-                t,
-                units: self.newton.system.unit_words().clone(),
-                reason: Surface::chosen().too_many_steps(),
-                motion: None,
-            },
+            Trouble::Failed(_) if is_far => lost(UnfollowedReason::TooManySteps),
             Trouble::Failed(failure) => {
                 self.newton.q.copy_from_slice(&self.failed);
                 // The error names the worst equation, so the equations are evaluated at the failed
@@ -61,18 +57,8 @@ impl Stepper<'_> {
                 let _ = self.newton.linearize(target);
                 self.newton.error(failure, target, Some(t))
             }
-            Trouble::Objected(Objection::Long) => Error::CannotFollow {
-                t,
-                units: self.newton.system.unit_words().clone(),
-                reason: Surface::chosen().too_many_steps(),
-                motion: None,
-            },
-            Trouble::Objected(objection) => Error::CannotFollow {
-                t,
-                units: self.newton.system.unit_words().clone(),
-                reason: objection.reason(),
-                motion: None,
-            },
+            Trouble::Objected(Objection::Long) => lost(UnfollowedReason::TooManySteps),
+            Trouble::Objected(objection) => lost(objection.reason()),
         })
     }
 
@@ -146,13 +132,5 @@ fn jerk_between(
 fn toggle(found: &SingularPosition, asked: f64, units: &Units) -> Error {
     debug_assert_eq!(found.kind, SingularKind::TurningPoint);
     let SingularPosition { t, movable, dependent, .. } = found.clone();
-    Error::Toggle {
-        t,
-        units: units.clone(),
-        asked,
-        movable,
-        dependent,
-        diagnosis: None,
-        motion: None,
-    }
+    FailureKind::Toggle { asked, movable, dependent }.at(t, units)
 }

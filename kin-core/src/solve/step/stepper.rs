@@ -5,7 +5,7 @@ use super::advance::{Asked, Effort, Stepping, advance};
 use super::predictor::{Last, Predictor};
 use crate::coordinates::units::Units;
 use crate::numbers::padded::{self, Padded};
-use crate::outcome::error::Result;
+use crate::outcome::error::{Result, UnfollowedReason};
 use crate::solve::follow::{Check, Objection, SingularPosition};
 use crate::solve::newton::{Failure, Newton, Outcome, Steps, first_position, largest};
 use crate::solve::options::{Follow, SolverOptions};
@@ -281,7 +281,7 @@ impl Stepping for Stepper<'_> {
         &mut self.effort
     }
 
-    fn objection(trouble: &Trouble) -> Option<&'static str> {
+    fn objection(trouble: &Trouble) -> Option<UnfollowedReason> {
         match trouble {
             Trouble::Objected(objection) => objection.of_branches(),
             Trouble::Failed(_) => None,

@@ -3,7 +3,7 @@
 use super::{Bad, Block, Equations, Instant};
 use crate::coordinates::layout::Layout;
 use crate::model::blame::{Culprit, Term};
-use crate::outcome::error::Error;
+use crate::outcome::error::{Error, FailureKind};
 
 impl Equations {
     /// Returns the constraint of a global row, and its local row.
@@ -53,15 +53,9 @@ impl Equations {
             .map(|block| (block.name.as_str(), block.constraint.facts().kind))
             .unwrap_or_default();
         let reason = self.wrong_branch(block, instant).unwrap_or_default().to_string();
-        let units = layout.words.clone();
-        Error::WrongBranch {
-            t: instant.t,
-            units,
-            constraint: name.to_string(),
-            kind: kind.to_string(),
-            reason,
-            motion: None,
-        }
+        let constraint = name.to_string();
+        let kind = kind.to_string();
+        FailureKind::WrongBranch { constraint, kind, reason }.at(instant.t, &layout.words)
     }
 
     /// Builds the error for a value that is not finite at an instant.
@@ -78,14 +72,12 @@ impl Equations {
                 Term::named(bad.quantity),
             )
         });
-        Error::NotFinite {
-            t: instant.t,
-            units: layout.words.clone(),
+        let kind = FailureKind::NotFinite {
             constraint: found.map(|(block, _)| block.name.clone()).unwrap_or_default(),
             row: found.map(|(block, local)| block.row(local).to_string()).unwrap_or_default(),
             quantity: bad.quantity,
-            culprit: Box::new(culprit.unwrap_or_default()),
-            motion: None,
-        }
+            culprit: culprit.unwrap_or_default(),
+        };
+        kind.at(instant.t, &layout.words)
     }
 }

@@ -5,7 +5,7 @@ mod together;
 
 use super::*;
 use crate::model::mechanism::linspace;
-use crate::outcome::error::Error;
+use crate::outcome::error::{FailureKind, RunFailure};
 use crate::solve::newton::Steps;
 use crate::solve::options::SolverOptions;
 use crate::{Mechanism, System, constraint};
@@ -47,7 +47,9 @@ fn loops_that_toggle_together() {
         let system = loops(count, 1.0, |m, name, x| assert!(m.add(name, arc(x)).is_ok()));
         for points in [3, 7, 40] {
             let error = system.run(linspace(0.0, 3.0, points)).unwrap_err();
-            let Error::Toggle { t, movable, .. } = &error else {
+            let Some(RunFailure { t, kind: FailureKind::Toggle { movable, .. }, .. }) =
+                error.failure()
+            else {
                 panic!("{count} {points}: {error}")
             };
             assert!(
