@@ -52,7 +52,8 @@ impl Random {
         ((0.5 * self.next() + 0.5) * n as f64) as usize % n
     }
 
-    fn next(&mut self) -> f64 {
+    /// Returns a number in −1 … 1.
+    pub fn next(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);

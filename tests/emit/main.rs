@@ -7,6 +7,7 @@ mod guide;
 mod names;
 mod options;
 mod programs;
+mod toggles;
 
 #[path = "../data/own.rs"]
 mod own;

@@ -67,7 +67,7 @@ int main(int argc, char **argv)
 {
     static OF(_state) s;
     double u[D], ud[D], udd[D], qd[N] = {0.0}, qdd[N] = {0.0};
-    int i, code;
+    int i, code, single;
     if (argc > 1 && strcmp(argv[1], "selftest") == 0) {
         printf("%d\n", OF(_selftest)());
         return 0;
@@ -91,11 +91,13 @@ int main(int argc, char **argv)
                 return 0;
             }
         }
-        code = move(&s, u);
+        /* After a single step that is refused the state is the last good one. */
+        single = argc > 1 && strcmp(argv[1], "steps") == 0;
+        code = single ? OF(_to)(&s, u) : move(&s, u);
         printf("%d", code);
         code = code == OF(_OK) ? OF(_rates)(&s, ud, udd, qd, qdd) : code;
         print(s.q, qd, qdd);
-        if (code != OF(_OK)) {
+        if (code != OF(_OK) && !single) {
             return 0;
         }
     }
