@@ -2,6 +2,8 @@
 
 use kin::Error;
 use kin::emit::{self, Options};
+use kin::extend::LawFunction;
+use kin::law::Ends;
 use kin::prelude::*;
 
 use crate::programs::{compiled, there_is_a_compiler};
@@ -125,6 +127,74 @@ fn measures_are_coordinates_by_name() -> kin::Result<()> {
         emit::c(&system, &Options { free, ..Options::default() }),
         Err(Error::UnknownName { .. })
     ));
+    Ok(())
+}
+
+/// A law that is neither a formula nor a table.
+struct Own;
+
+impl LawFunction for Own {
+    fn jet(&self, x: f64) -> [f64; 4] {
+        [x.sin(), x.cos(), -x.sin(), -x.cos()]
+    }
+}
+
+#[test]
+fn a_law_of_the_program_is_refused_by_name() -> kin::Result<()> {
+    let mut m = Mechanism::new("cam");
+    let cam = m.link("cam", 0.1)?;
+    let rod = m.planar("rod", pose(0.0, 0.5, 0.0))?;
+    m.add("O", revolute(Ground, cam, vec2(0.0, 0.0), cam.start()))?;
+    m.add("guide", prismatic(rod, Ground, vec2(0.0, 0.0), vec2(0.0, 0.0), vec2(0.0, 1.0), 0.0))?;
+    m.add("lift", cam_knife_edge(cam, rod, vec2(0.0, 0.0), Law::new(Own) + Law::constant(2.0)))?;
+    m.add("motor", drive_angle(cam, Law::ramp(1.0)))?;
+    let error = emit::c(&m.build()?, &Options::default()).unwrap_err();
+    assert!(matches!(error, Error::CannotEmit { .. }), "{error}");
+    assert!(error.to_string().contains("Kin cannot print `lift` as C: Kin does not know the law"));
+    Ok(())
+}
+
+/// A height over an angle.      \[m\]
+#[constraint]
+fn lifted(height: Coord, angle: Coord, profile: Law) -> f64 {
+    height - profile.at(angle)
+}
+
+/// A cam with a spline that does not repeat turns beyond its ends, where the law is straight.
+#[test]
+fn a_spline_is_printed_as_a_table() -> kin::Result<()> {
+    let table = [(-0.3, 0.5), (0.1, 0.55), (0.4, 0.7), (0.9, 0.65)];
+    for ends in [Ends::Natural, Ends::Clamped { start: 0.1, end: -0.2 }] {
+        let mut m = Mechanism::new("cam");
+        let cam = m.link("cam", 0.1)?;
+        let rod = m.planar("rod", pose(0.0, 0.5, 0.0))?;
+        let o = vec2(0.0, 0.0);
+        m.add("O", revolute(Ground, cam, o, cam.start()))?;
+        m.add("lift", prismatic(rod, Ground, o, o, vec2(1.0, 0.0), 0.0))?;
+        let profile = Law::spline(&table, ends);
+        m.add("profile", lifted(rod.y(), cam.theta(), profile))?;
+        m.add("motor", drive_angle(cam, Law::ramp(1.0)))?;
+        let system = m.build()?;
+        let text = emit::c(&system, &Options::default())?;
+        if !there_is_a_compiler() {
+            return Ok(());
+        }
+        let program = compiled("spline", &text, &[]).expect("compiles");
+        assert_eq!(program.selftest(), "0");
+        let way = (0..60)
+            .map(|k| 0.03 * f64::from(k))
+            .chain((0..130).map(|k| 1.77 - 0.03 * f64::from(k)));
+        let lines: Vec<Vec<f64>> = way.map(|u| vec![u, 0.7, 0.2]).collect();
+        let mut follower = system.follower(0.0)?;
+        let found = program.run(&[], &lines);
+        assert_eq!(found.len(), lines.len());
+        for (line, found) in lines.iter().zip(&found) {
+            let q = follower.to([("motor", line[0])])?.q().to_vec();
+            let rates = follower.rates([("motor", [line[1], line[2]])])?;
+            let expected = [vec![0.0], q, rates.qd, rates.qdd].concat();
+            assert!(off(found, &expected) < 1e-12, "{ends:?} {line:?}: {found:?} {expected:?}");
+        }
+    }
     Ok(())
 }
 

@@ -278,8 +278,8 @@ fn of_questions() -> Vec<Line> {
         (
             "CannotEmit",
             2,
-            "Kin cannot print `edge` as C",
-            asked(&["emit", &example("07_cam_follower"), "--c"]),
+            "more equations than coordinates",
+            asked(&["emit", &made("printed", &pinned_twice()), "--c"]),
         ),
         ("NeedsMemory", 2, "GB", asked(&["run", m, "--times", "0:1:6000000"])),
         (

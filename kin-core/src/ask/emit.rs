@@ -318,18 +318,18 @@ fn check(system: &System, driven: &System, tape: &Tape, drivers: &[Law]) -> Resu
         );
         return Err(cannot(&format!("\"{}\"", system.name()), &reason));
     }
-    let Some(law) = tape.laws_without_formula(drivers).into_iter().next() else { return Ok(()) };
+    let Some(law) = tape.law_without_text(drivers) else { return Ok(()) };
     let start = driven.equations().instant_at(0.0, driven.initial());
     for block in &driven.equations().blocks {
         let mut found = None;
         block.constraint.laws(&driven.equations().at(block, &start), &mut |name, own, _| {
-            if own.is(&law) {
+            if own.is(law) {
                 found = Some(name.to_string());
             }
         });
         if let Some(name) = found {
             let reason = format!(
-                "Kin does not know the law `{name}` ({}) as a formula. Use a law of the library that is a formula, such as a polynomial",
+                "Kin does not know the law `{name}` ({}) as a formula or as a table. Use a law of the library that is one, such as a polynomial or a cubic spline",
                 law.kind()
             );
             return Err(cannot(&format!("`{}`", block.name), &reason));

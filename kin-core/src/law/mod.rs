@@ -9,6 +9,7 @@ mod hung;
 mod jump;
 mod motion;
 mod parts;
+mod pieces;
 mod points;
 mod quintic;
 mod rise;
@@ -25,6 +26,8 @@ use std::fmt;
 use std::sync::Arc;
 
 use kin_graph::{Graph, Node};
+
+use pieces::Pieces;
 
 use crate::dimensions::{Bindings, Dimension};
 use crate::numbers::enclosure::Series;
@@ -168,6 +171,13 @@ pub trait LawFunction: Send + Sync {
         None
     }
 
+    /// Returns the law as polynomials between knots, so that a printed file can contain the law as
+    /// a table.
+    #[doc(hidden)]
+    fn pieces(&self) -> Option<Pieces> {
+        None
+    }
+
     /// Returns the kinds of the laws whose stated bounds a proof relies on.
     ///
     /// The default list contains the kind of the law itself. A law with a formula that Kin knows
@@ -245,6 +255,11 @@ impl Law {
     /// Adds the law at x to a graph and returns its node, if the law has a formula.
     pub(crate) fn written(&self, graph: &mut Graph, x: Node) -> Option<Node> {
         self.0.written(graph, x)
+    }
+
+    /// Returns the law as polynomials between knots, if it is a spline.
+    pub(crate) fn pieces(&self) -> Option<Pieces> {
+        self.0.pieces()
     }
 
     /// Returns true if the other law is a clone of this law.

@@ -5,6 +5,7 @@ mod wide;
 use std::ops::Deref;
 use std::path::Path;
 
+use super::pieces::Pieces;
 use super::points::{self, Ends, Points};
 use super::{Break, Law, LawFunction, LawRange, breaks, trusted_parts};
 use crate::dimensions::IntoNumber;
@@ -222,6 +223,19 @@ impl LawFunction for Spline {
             }
             (x, after) => self.inside(after - 1, x),
         }
+    }
+
+    fn pieces(&self) -> Option<Pieces> {
+        let last = self.curvature.len().checked_sub(1)?;
+        let piece = |(k, (x, _)): (usize, &(f64, f64))| {
+            let [f, f1, f2, f3] = self.inside(k.min(last - 1), *x);
+            [f, f1, 0.5 * f2, f3 / 6.0]
+        };
+        Some(Pieces {
+            knots: self.table.iter().map(|(x, _)| *x).collect(),
+            coefficients: self.table.iter().enumerate().map(piece).collect(),
+            repeats: self.ends == Ends::Periodic,
+        })
     }
 
     fn kind(&self) -> &str {

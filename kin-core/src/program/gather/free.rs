@@ -152,6 +152,11 @@ impl Free {
         &self.slots
     }
 
+    /// Returns true if the law with this index differs from case to case.
+    pub(crate) fn has_law(&self, law: usize) -> bool {
+        self.laws.iter().any(|(number, ..)| *number == law)
+    }
+
     /// Begins to gather the rows of this constraint.
     pub(super) fn enter(&mut self, block: usize) {
         self.here = self.differences.0.iter().position(|own| own.block == block);

@@ -7,6 +7,7 @@ use kin_graph::text::{C, Dialect, Infix, Piece};
 
 use super::listing::{Line, Listing, Name, Value};
 use super::operation::operation;
+use super::pieces::laws;
 use crate::law::Law;
 use crate::program::tape::{Straight, Tape};
 
@@ -174,6 +175,7 @@ pub(crate) fn file(sheet: &Sheet<'_>) -> String {
         stages += &printer.stage(k, lines, own);
         let _ = writeln!(calls, "    @N@_{}(k);", STAGES[k].0);
     }
+    let stages = laws(&sheet.tape.laws, &stages) + &stages;
     let mut text = TEMPLATE.to_string();
     let tape = sheet.tape;
     let guards = tape.guards.concat().len();

@@ -28,13 +28,13 @@ pub(super) struct Name {
     pub number: usize,
 }
 
-/// One result. A step that computes a sine and a cosine has two lines.
+/// One result. A step that computes a sine and a cosine has two lines, and a law has three.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
     pub name: Name,
     pub kind: Kind,
-    /// True for the cosine of [`Kind::SinCos`].
-    pub second: bool,
+    /// The number of the result among those of its step: 1 for the cosine of [`Kind::SinCos`].
+    pub part: usize,
     pub operands: [Value; 3],
 }
 
@@ -44,8 +44,6 @@ pub(super) struct Listing {
     pub stages: Vec<Vec<Line>>,
     /// The number at each place after the last step.
     places: BTreeMap<u32, Value>,
-    /// The laws that are no drivers, by their numbers in the tape.
-    pub others: BTreeSet<usize>,
     count: usize,
 }
 
@@ -91,22 +89,21 @@ impl Listing {
 
     fn stage(&mut self, stage: &Stage, (laws, drivers): (&[Law], &[Law])) {
         let number = self.stages.len();
+        let driver = |law: usize| {
+            let own = laws.get(law)?;
+            drivers.iter().position(|driver| driver.is(own))
+        };
         let mut lines = Vec::new();
         let mut steps = stage.steps.iter();
         for run in &stage.runs {
             for step in steps.by_ref().take(run.steps as usize) {
                 let operands = [step.a, step.b, step.c].map(|place| self.at(place));
-                if let Kind::Law(law, order) = run.kind {
-                    let law = law as usize;
-                    let driver = laws
-                        .get(law)
-                        .and_then(|own| drivers.iter().position(|driver| driver.is(own)));
-                    if driver.is_none() {
-                        self.others.insert(law);
-                    }
-                    for (place, more) in [step.out, step.b, step.c].into_iter().zip(0..) {
-                        let value = match (driver, order + more) {
-                            (Some(driver), order @ 0..=2) => Value::Driver(driver, order),
+                if let Kind::Law(law, order) = run.kind
+                    && let Some(driver) = driver(law as usize)
+                {
+                    for (place, order) in [step.out, step.b, step.c].into_iter().zip(order..) {
+                        let value = match order {
+                            0..=2 => Value::Driver(driver, order),
                             _ => Value::Number(0.0),
                         };
                         self.places.insert(place, value);
@@ -114,13 +111,14 @@ impl Listing {
                     continue;
                 }
                 let results: &[u32] = match run.kind {
+                    Kind::Law(..) => &[step.out, step.b, step.c],
                     Kind::SinCos => &[step.out, step.c],
                     _ => &[step.out],
                 };
-                for (k, place) in results.iter().enumerate() {
+                for (part, place) in results.iter().enumerate() {
                     let name = Name { stage: number, number: self.count };
                     self.count += 1;
-                    lines.push(Line { name, kind: run.kind, second: k > 0, operands });
+                    lines.push(Line { name, kind: run.kind, part, operands });
                     self.places.insert(*place, Value::Result(name));
                 }
             }

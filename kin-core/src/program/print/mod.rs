@@ -8,6 +8,7 @@ mod c;
 mod equations;
 mod listing;
 mod operation;
+mod pieces;
 mod selftest;
 mod vector;
 

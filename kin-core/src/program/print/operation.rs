@@ -23,7 +23,9 @@ pub(super) fn operation(dialect: &dyn Dialect, line: &Line, of: impl Fn(Value) -
             let product = infix(&a, Infix::Product, &b);
             dialect.call2(Function2::Max, &c, &dialect.call(Function::Abs, &product))
         }
-        Kind::SinCos => dialect.call(if line.second { Function::Cos } else { Function::Sin }, &a),
+        Kind::SinCos => {
+            dialect.call(if line.part == 1 { Function::Cos } else { Function::Sin }, &a)
+        }
         Kind::One(f) => dialect.call(f, &a),
         Kind::Two(f) => dialect.call2(f, &a, &b),
         Kind::Power(n) => dialect.power(&a, n),
@@ -38,8 +40,10 @@ pub(super) fn operation(dialect: &dyn Dialect, line: &Line, of: impl Fn(Value) -
             let holds = infix(&a, Infix::Comparison(Comparison::NotEqual), &zero);
             dialect.choice(&holds, &b, &c)
         }
-        // A law is an input of the printed text.
-        Kind::Law(..) => dialect.number(f64::NAN),
+        Kind::Law(law, order) => {
+            let order = usize::from(order) + line.part;
+            Piece::atom(format!("@N@_law{law}({}, {order})", a.text))
+        }
     }
 }
 

@@ -199,18 +199,22 @@ impl Tape {
         self.free.slots()
     }
 
-    /// Returns the laws that the tape evaluates, except these.
-    pub(crate) fn laws_without_formula(&self, drivers: &[Law]) -> Vec<Law> {
+    /// Returns a law that no text can contain: it is not among the drivers, and is neither a
+    /// formula nor a table, or differs from case to case.
+    pub(crate) fn law_without_text(&self, drivers: &[Law]) -> Option<&Law> {
         let stages = [&self.setup, &self.time, &self.correct, &self.rest];
-        let mut laws: Vec<Law> = Vec::new();
-        for run in stages.into_iter().flat_map(|stage| &stage.runs) {
-            let Kind::Law(law, _) = run.kind else { continue };
-            let Some(law) = self.laws.get(law as usize) else { continue };
-            if drivers.iter().chain(&laws).all(|known| !known.is(law)) {
-                laws.push(law.clone());
-            }
-        }
-        laws
+        let of_run = |run: &Run| match run.kind {
+            Kind::Law(law, _) => Some(law as usize),
+            _ => None,
+        };
+        let mut read = stages.into_iter().flat_map(|stage| &stage.runs).filter_map(of_run);
+        let has_none = |law: usize| {
+            let own = self.laws.get(law)?;
+            let is_driver = drivers.iter().any(|driver| driver.is(own));
+            let is_table = own.pieces().is_some() && !self.free.has_law(law);
+            (!is_driver && !is_table).then_some(own)
+        };
+        read.find_map(has_none)
     }
 
     /// Returns true if anything may jump depending on coordinates.
