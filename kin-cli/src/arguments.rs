@@ -217,6 +217,9 @@ pub struct Pose {
     /// moves it to this value; drivers that are not given are left out
     #[arg(long = "given", conflicts_with = "to", value_name = "NAME=VALUE")]
     pub given: Vec<Setting>,
+    /// Proves by interval bounds that the move stays on its branch, over so many equal steps
+    #[arg(long, value_name = "STEPS")]
+    pub prove: Option<usize>,
     /// The time at which the mechanism is assembled before it moves   [s]
     #[arg(long, default_value_t = 0.0, allow_hyphen_values = true)]
     pub at: f64,

@@ -11,7 +11,7 @@ use crate::fault::or_raise;
 use crate::motion::Motion;
 use crate::numbers;
 use crate::options::options;
-use crate::system::System;
+use crate::system::{Proved, System, proved};
 
 /// A follower. Python's lock is given up while it moves.
 #[pyclass(frozen, module = "kin._native")]
@@ -107,6 +107,17 @@ impl Follower {
         });
         or_raise(py, moved)?;
         Ok((numbers::list(py, &all)?, numbers::list(py, &measured)?))
+    }
+
+    /// Moves drivers to these values over so many steps, with a proof of each.
+    fn prove_to(
+        &self,
+        py: Python<'_>,
+        values: Vec<(String, f64)>,
+        steps: usize,
+    ) -> PyResult<Proved> {
+        let proof = py.detach(|| self.with(|native| native.prove_to(values, steps)));
+        Ok(proved(&or_raise(py, proof)?, steps + 1))
     }
 
     /// q where it is.

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use kin::SolverOptions;
 use kin::diagnosis::Diagnosis;
-use kin::results::{Extremes, Solution};
+use kin::results::{Extremes, Proof, Solution};
 use kin::solver::Start;
 use kin_view::Scene;
 use pyo3::prelude::*;
@@ -38,7 +38,7 @@ type Solved<'py> =
 /// A proof in words, whether it is complete; of each step its times, the tube (how near the
 /// solution is, how far the next one at least) or the doubt (its time, in words); laws that are
 /// trusted; bounds of each position's error.
-type Proved = (String, bool, Vec<Step>, Vec<String>, Vec<Option<Vec<f64>>>);
+pub type Proved = (String, bool, Vec<Step>, Vec<String>, Vec<Option<Vec<f64>>>);
 type Step = (f64, f64, Option<(Vec<f64>, Vec<f64>)>, Option<(f64, String)>);
 
 /// The label and the pose of each assembly; whether these are all, and the reason.
@@ -94,6 +94,22 @@ impl System {
     pub fn now(&self) -> Arc<kin::System> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner).clone()
     }
+}
+
+/// A proof over so many positions: as text, whether it is complete, its steps, trusted laws and
+/// errors.
+pub fn proved(proof: &Proof, positions: usize) -> Proved {
+    let tubes = proof.steps().iter().map(|step| {
+        let tube = step.tube.as_ref().map(|tube| (tube.radius.clone(), tube.alone.clone()));
+        (
+            step.from,
+            step.to,
+            tube.as_ref().ok().cloned(),
+            tube.err().map(|doubt| (doubt.t, doubt.to_string())),
+        )
+    });
+    let errors = (0..positions).map(|k| proof.error(k).map(<[f64]>::to_vec)).collect();
+    (proof.to_string(), proof.is_complete(), tubes.collect(), proof.trusted().to_vec(), errors)
 }
 
 #[pymethods]
@@ -432,23 +448,7 @@ impl System {
         let system = self.now();
         let motion = &motion.0;
         let proof = or_raise(py, py.detach(|| system.prove(motion)))?;
-        let tubes = proof.steps().iter().map(|step| {
-            let tube = step.tube.as_ref().map(|tube| (tube.radius.clone(), tube.alone.clone()));
-            (
-                step.from,
-                step.to,
-                tube.as_ref().ok().cloned(),
-                tube.err().map(|doubt| (doubt.t, doubt.to_string())),
-            )
-        });
-        let errors = (0..motion.len()).map(|k| proof.error(k).map(<[f64]>::to_vec)).collect();
-        Ok((
-            proof.to_string(),
-            proof.is_complete(),
-            tubes.collect(),
-            proof.trusted().to_vec(),
-            errors,
-        ))
+        Ok(proved(&proof, motion.len()))
     }
 
     /// Its program in words; the coordinates that rows give, those that are left, the blocks in

@@ -74,6 +74,16 @@ def test_a_toggle_on_the_way_ends_the_move():
     follower.to(motor=0.5)
 
 
+def test_a_move_is_proved():
+    follower = four_bar().follower()
+    proof = follower.prove_to({"motor": 0.3}, 30)
+    assert proof.is_complete and proof.proved == 30 and proof.trusted == []
+    assert follower.drivers == {"motor": 0.3}
+    assert follower.here["rocker.theta"] == pytest.approx(rocker_angle(0.3), abs=1e-9)
+    with pytest.raises(kin.Error, match="at least 1 step"):
+        follower.prove_to({"motor": 0}, 0)
+
+
 def test_mistakes_are_named():
     follower = four_bar().follower()
     with pytest.raises(kin.UnknownName, match="`motor`"):

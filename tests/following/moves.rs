@@ -146,7 +146,7 @@ fn apart(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / size
 }
 
-/// What became of the moves.
+/// How many moves ended in each way, and the largest deviations.
 #[derive(Debug, Default)]
 struct Counts {
     ended: u64,

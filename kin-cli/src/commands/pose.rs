@@ -23,8 +23,13 @@ pub fn pose(asked: &Pose, say: &Say) -> Result<(), Fault> {
         follower = follower.given(names).map_err(Fault::asked)?;
     }
     let values = asked.to.iter().chain(&asked.given).map(|setting| (&setting.name, setting.value));
-    let stopped = match follower.to(values) {
-        Ok(_) => None,
+    let mut proof = None;
+    let moved = match asked.prove {
+        Some(steps) => follower.prove_to(values, steps).map(|found| proof = Some(found)),
+        None => follower.to(values).map(|_| ()),
+    };
+    let stopped = match moved {
+        Ok(()) => None,
         Err(error @ Error::CannotReach(_)) => Some(Fault::Early(Box::new(error))),
         Err(error) => return Err(Fault::asked(error)),
     };
@@ -50,7 +55,13 @@ pub fn pose(asked: &Pose, say: &Say) -> Result<(), Fault> {
         vec![row.what.to_string(), row.name.clone(), digits(row.value), row.unit.clone()]
     };
     table(&asked.csv, &header, all.iter().map(cells))?;
-    stopped.map_or(Ok(()), Err)
+    match proof {
+        Some(proof) if !proof.is_complete() => Err(Fault::NotProved(proof.to_string())),
+        proof => {
+            proof.into_iter().for_each(|proof| say.note(&proof.to_string()));
+            stopped.map_or(Ok(()), Err)
+        }
+    }
 }
 
 /// One number of a configuration.

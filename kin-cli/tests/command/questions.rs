@@ -382,6 +382,16 @@ fn a_pose_is_found_by_the_value_of_its_driver() {
 }
 
 #[test]
+fn a_move_to_a_pose_is_proved() {
+    let m = example("04_four_bar");
+    let told = done(&["pose", &m, "--to", "motor=0.3", "--prove", "30", "--csv", "/dev/null"]);
+    assert_eq!(code(&told), 0, "{}", words(&told));
+    assert!(words(&told).contains("30"), "{}", words(&told));
+    let coarse = done(&["pose", &m, "--to", "motor=3", "--prove", "1", "--csv", "/dev/null"]);
+    assert_eq!(code(&coarse), 4, "{}", words(&coarse));
+}
+
+#[test]
 fn a_pose_with_a_wrong_driver_names_the_known_ones() {
     let m = example("04_four_bar");
     let output = done(&["pose", &m, "--to", "crank=1"]);

@@ -8,7 +8,7 @@ use crate::system::System;
 
 impl Follower {
     /// Returns the efforts that masses and loads require of the values that the follower moves, for
-    /// given rates of these values: pairs of a name and \[u̇, ü\]. The other values are at rest. The
+    /// given rates of these values: pairs of a name and \[u̇, ü\]. Other values are at rest. The
     /// effort of an angle is a torque, and that of a length is a force. It is positive in the
     /// direction in which the value grows.
     ///

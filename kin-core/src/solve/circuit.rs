@@ -71,7 +71,7 @@ pub(crate) fn trace<'a>(
     newton.q.copy_from_slice(q);
     first_position::resume(&mut newton, t)?;
     let turns = turns(system, is_angle);
-    let mut curve = Curve::new(system, &newton.sizes, LIGHT);
+    let mut curve = Curve::new(system, &newton.sizes, LIGHT).without_blocks();
     let along: Vec<f64> = newton.qd.iter().copied().chain([1.0]).collect();
     let x: Vec<f64> = newton.q.iter().copied().chain([t]).collect();
     let Some(start) = curve.place(x, &along) else {

@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _native
 from ._motion import Motion, array
+from ._results import Proof
 
 
 class Configuration:
@@ -176,6 +177,14 @@ class Follower:
         drivers = {name: column.copy() for name, column in zip(given, columns)}
         rows = array(measured).reshape(len(path), len(measures))
         return Configurations(array(q).reshape(len(path), len(names)), rows, names, measures, drivers)
+
+    def prove_to(self, values: Mapping[str, float], steps: int = 100) -> Proof:
+        """Moves the named drivers as `to` does, over so many equal steps, and proves by interval bounds that each step stays on its branch.
+        The times of the proof go from -1 to 0. The follower moves also where a step is not proved.
+
+        Raises the errors of `to` and of `System.prove`; then the follower is where it was.
+        """
+        return Proof._of(self._native.prove_to([(name, float(value)) for name, value in values.items()], steps))
 
     @property
     def here(self) -> Configuration:

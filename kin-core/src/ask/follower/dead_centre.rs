@@ -179,7 +179,7 @@ impl<'a> Centre<'a> {
         let mut newton = Newton::new(&own.system, &own.options);
         newton.q.copy_from_slice(&own.q);
         first_position::resume(&mut newton, value).ok()?;
-        let mut curve = Curve::new(&own.system, &newton.sizes, LIGHT);
+        let mut curve = Curve::new(&own.system, &newton.sizes, LIGHT).without_blocks();
         let sign = (goal - value).signum();
         let along: Vec<f64> = newton.qd.iter().chain([&1.0]).map(|x| sign * x).collect();
         let x = newton.q.iter().copied().chain([value]).collect();

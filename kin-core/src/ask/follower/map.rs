@@ -12,7 +12,7 @@ use crate::system::measures::MeasurePlace;
 /// The map from some values of a mechanism to others, on one branch: from motor angles to the
 /// angles of an ankle, or back.
 ///
-/// What is given and what is wanted are drivers, measures of joints and coordinates, by name. The
+/// Given and wanted values are drivers, measures of joints and coordinates, by name. The
 /// given values are those of [`System::follower_given`]; the wanted values are any number of any.
 /// [`Map::to`] moves along the branch, as a follower does, so the map stays on its branch.
 ///
@@ -157,8 +157,8 @@ impl Map {
         self.follower.map(names(wanted), names(self.follower.drivers()))
     }
 
-    /// Returns J̇, the rate of the slopes while the given values move at these rates: a row for each
-    /// wanted value, a column for each given one. The other given values are at rest.
+    /// Returns J̇, the rate of the slopes while the given values move at these rates. It has a row
+    /// for each wanted value and a column for each given one. The other given values are at rest.
     ///
     /// Errors: an unknown name; a rate that is not finite; a singular position.
     pub fn jacobian_rate(

@@ -51,7 +51,7 @@ impl Follower {
     /// The times of the proof are −1 at the beginning of the move and 0 at its end; the values of
     /// the drivers are linear in the time.
     ///
-    /// Errors: those of [`Follower::to`] and of [`System::prove`]; no step; the follower stands at a
+    /// Errors: those of [`Follower::to`] and of [`System::prove`]; no step; the follower is at a
     /// singular position. After an error the follower is where it was.
     pub fn prove_to(
         &mut self,
@@ -94,7 +94,7 @@ impl Follower {
         }
     }
 
-    /// Lets the drivers go from these values to the targets while the time goes from [`START`] to 0.
+    /// Lets the drivers go from these values to the targets, from the time [`START`] to 0.
     fn lead(&self, start: &[f64], targets: &[f64]) {
         for ((driver, start), target) in self.drivers.iter().zip(start).zip(targets) {
             driver.path.lead([*target, target - start, 0.0]);
@@ -199,7 +199,7 @@ fn reason(error: &Error) -> String {
     }
 }
 
-/// Follows the branch through q, a position at the time [`START`], to the time 0, over so many equal
+/// Follows the branch through q, a position at the time [`START`], to the time 0, over equal
 /// steps. The motion begins with these q, q̇ and q̈.
 fn go(
     system: &System,

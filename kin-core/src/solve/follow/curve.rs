@@ -8,6 +8,7 @@
 
 use crate::linear::Linear;
 use crate::system::System;
+use crate::system::evaluate::{Instant, finite};
 use crate::system::scaled::Model;
 
 /// The largest number of Newton steps of one correction.
@@ -37,8 +38,14 @@ pub(crate) struct Curve<'a> {
     /// s_j of each coordinate, and the scale of time.
     pub sizes: Vec<f64>,
     pub linear: Linear,
-    /// The solver for C_q alone.
-    own: Linear,
+    /// The solver for C_q alone; `None` if the signs of its blocks are not needed.
+    own: Option<Linear>,
+    /// The last place at which the equations were evaluated, with C, C_t and the values of C_q
+    /// there.
+    instant: Instant,
+    c: Vec<f64>,
+    c_t: Vec<f64>,
+    values: Vec<f64>,
 }
 
 /// A place on the curve.
@@ -52,7 +59,7 @@ pub(crate) struct CurvePoint {
     /// True if det [C_q C_t; x′ᵀ] is negative.
     pub negative: bool,
     /// For each block of C_q whether its determinant is negative, and the smallest pivot; `None`
-    /// where C_q is singular.
+    /// where C_q is singular, or if the curve does not compute them.
     pub blocks: Option<(Vec<bool>, f64)>,
 }
 
@@ -103,7 +110,16 @@ impl<'a> Curve<'a> {
             &[],
         );
         linear.set_sizes(&sizes);
-        Curve { model, sizes, linear, own }
+        let instant = model.equations.instant();
+        let mut values = vec![0.0; model.equations.entries.len()];
+        model.equations.set_constants(&mut values);
+        let [c, c_t] = [0; 2].map(|_| vec![0.0; n]);
+        Curve { model, sizes, linear, own: Some(own), instant, c, c_t, values }
+    }
+
+    /// Returns the curve without the signs of the blocks of C_q at its places.
+    pub(crate) fn without_blocks(self) -> Self {
+        Curve { own: None, ..self }
     }
 
     /// Returns the place at x, which is on the curve, with a tangent on the side of `along`.
@@ -115,10 +131,13 @@ impl<'a> Curve<'a> {
         self.factor(&x, &dx)?;
         let negative = self.linear.is_negative();
         let blocks = self.blocks();
-        let (t, q) = x.split_last()?;
         let (dt, dq) = dx.split_last()?;
-        let rhs = self.model.second_order(q, *t, dq, *dt).ok()?;
-        let ddx = self.solve(rhs.into_iter().chain([0.0]));
+        let equations = self.model.equations;
+        equations.set_rates(dq, &mut self.instant);
+        let mut rhs = vec![0.0; dq.len() + 1];
+        equations.second_order(&self.instant, *dt, &mut rhs[..dq.len()]);
+        finite(&rhs, "Q_d").ok()?;
+        let ddx = self.solve(rhs.into_iter());
         let finite = dx.iter().chain(&ddx).all(|x| x.is_finite());
         finite.then_some(CurvePoint { x, dx, ddx, negative, blocks })
     }
@@ -144,8 +163,11 @@ impl<'a> Curve<'a> {
         let mut still = 0.5;
         let rounding = self.rounding(x);
         for k in 0..ITERATIONS {
-            let c = self.factor(x, border)?;
-            let d = self.solve(c.into_iter().map(|c| -c).chain([0.0]));
+            self.factor(x, border)?;
+            self.linear.rhs_mut().iter_mut().zip(&self.c).for_each(|(place, c)| *place = -c);
+            self.linear.rhs_mut()[self.c.len()] = 0.0;
+            self.linear.solve();
+            let d = self.linear.solution().to_vec();
             let size = self.dot(&d, &d).sqrt();
             if k == 0 {
                 first = size;
@@ -174,27 +196,37 @@ impl<'a> Curve<'a> {
         None
     }
 
-    /// Factors [C_q C_t; borderᵀ] at x and returns C.
-    fn factor(&mut self, x: &[f64], border: &[f64]) -> Option<Vec<f64>> {
+    /// Evaluates the equations at x and factors [C_q C_t; borderᵀ] there.
+    fn factor(&mut self, x: &[f64], border: &[f64]) -> Option<()> {
         let (t, q) = x.split_last()?;
-        let point = self.model.linearize(q, *t).ok()?;
-        let c_t = self.model.c_t(q, *t).ok()?;
+        let Curve { model, instant, c, c_t, values, .. } = self;
+        let equations = model.equations;
+        if instant.t() != *t {
+            equations.set_time(*t, instant);
+        }
+        equations.set_position(q, instant);
+        equations.linearize(q, instant, c, values);
+        equations.finite(c, values).ok()?;
+        equations.velocity_rhs(instant, c_t);
+        finite(c_t, "C_t").ok()?;
         let border = border.iter().zip(&self.sizes).map(|(dx, size)| dx / (size * size));
-        let values = point.values.iter().copied().chain(c_t).chain(border);
+        let by_time = self.c_t.iter().map(|rhs| 0.0 - rhs);
+        let values = self.values.iter().copied().chain(by_time).chain(border);
         self.linear.values_mut().iter_mut().zip(values).for_each(|(place, value)| *place = value);
-        (self.linear.measure() && self.linear.factor()).then_some(point.c)
+        (self.linear.measure() && self.linear.factor()).then_some(())
     }
 
     /// Returns the signs of C_q's blocks and its smallest pivot at the x that was factored last.
     fn blocks(&mut self) -> Option<(Vec<bool>, f64)> {
-        let values = self.own.values().len();
-        self.own.values_mut().copy_from_slice(&self.linear.values()[..values]);
-        if !(self.own.measure() && self.own.factor()) {
+        let own = self.own.as_mut()?;
+        let values = own.values().len();
+        own.values_mut().copy_from_slice(&self.linear.values()[..values]);
+        if !(own.measure() && own.factor()) {
             return None;
         }
         let mut blocks = Vec::new();
-        self.own.orientation(&mut blocks);
-        Some((blocks, self.own.smallest_pivot()))
+        own.orientation(&mut blocks);
+        Some((blocks, own.smallest_pivot()))
     }
 
     fn solve(&mut self, rhs: impl Iterator<Item = f64>) -> Vec<f64> {

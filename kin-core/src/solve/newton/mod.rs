@@ -129,6 +129,7 @@ impl<'a> Newton<'a> {
     }
 
     /// Returns the present point for the same equations in another copy of the system.
+    #[inline(always)]
     pub(in crate::solve) fn on<'b>(
         self,
         system: &'b System,

@@ -93,6 +93,7 @@ impl Stepper<'_> {
 }
 
 /// A stepper that waits, with a system that has no equations in place of its own.
+#[inline(always)]
 fn idle(stepper: Stepper<'_>) -> Stepper<'static> {
     static NONE: OnceLock<(System, SolverOptions)> = OnceLock::new();
     let (system, options) = NONE.get_or_init(|| {

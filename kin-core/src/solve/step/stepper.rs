@@ -65,6 +65,7 @@ impl<'a> Stepper<'a> {
     }
 
     /// Returns the stepper of the same equations in another copy of the system.
+    #[inline(always)]
     pub(super) fn on<'b>(self, system: &'b System, options: &'b SolverOptions) -> Stepper<'b> {
         let Stepper {
             newton,
