@@ -387,7 +387,7 @@ fn a_move_to_a_pose_is_proved() {
     let told = done(&["pose", &m, "--to", "motor=0.3", "--prove", "30", "--csv", "/dev/null"]);
     assert_eq!(code(&told), 0, "{}", words(&told));
     assert!(words(&told).contains("30"), "{}", words(&told));
-    let coarse = done(&["pose", &m, "--to", "motor=3", "--prove", "1", "--csv", "/dev/null"]);
+    let coarse = done(&["pose", &m, "--to", "motor=40", "--prove", "1", "--csv", "/dev/null"]);
     assert_eq!(code(&coarse), 4, "{}", words(&coarse));
 }
 

@@ -455,7 +455,7 @@ fn lead(
             drivers[*j].path.lead([*value, *rate, 0.0]);
         }
     };
-    let Whole { system, drivers } = &*whole;
+    let Whole { system, drivers } = whole;
     run(drivers, &vec![0.0; own.len()]);
     let rows = system.equations().blocks[block].rows();
     let model = system.model();

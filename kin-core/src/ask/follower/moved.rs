@@ -210,7 +210,8 @@ fn go(
     let mut run = Run::new(system, options, Some(EXPLAIN))?;
     let mut motion = Motion::new(system, steps + 1);
     motion.append(START, [q, qd, qdd, &[]], Outcome { iterations: 0, residual: 0.0 }, 0);
-    let time = |k: usize| START * (steps - k) as f64 / steps as f64;
+    // The sum makes the last time 0 and not −0.
+    let time = |k: usize| 0.0 + START * (steps - k) as f64 / steps as f64;
     let reached = run
         .begin_from(START, q)
         .and_then(|()| (1..=steps).try_for_each(|k| run.reach(time(k), &mut motion)));
