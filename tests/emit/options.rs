@@ -122,11 +122,17 @@ fn measures_are_coordinates_by_name() -> kin::Result<()> {
              coordinate, such as `rocker.theta`"
             .to_string())
     );
-    let free = vec!["crnk".to_string()];
-    assert!(matches!(
-        emit::c(&system, &Options { free, ..Options::default() }),
-        Err(Error::UnknownName { .. })
-    ));
+    let free = |names: &[&str]| {
+        let free = names.iter().map(|name| name.to_string()).collect();
+        emit::c(&system, &Options { free, ..Options::default() })
+    };
+    for name in ["crnk", "O.u_i.x", "crank.theta"] {
+        assert!(matches!(free(&[name]), Err(Error::UnknownName { what: "dimension", .. })));
+    }
+    assert_eq!(
+        free(&["crank", "crank"]).map_err(|error| error.to_string()),
+        Err("options: the free dimensions name `crank` twice. Remove one of the two".to_string())
+    );
     Ok(())
 }
 

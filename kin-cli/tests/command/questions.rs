@@ -516,7 +516,7 @@ fn a_mechanism_is_printed_as_c() {
     let output = done(&["emit", &m, "--c", "--free", "crank"]);
     let told = words(&output);
     assert_eq!(code(&output), 2);
-    assert!(told.contains("there is no parameter or coordinate `crank`"), "{told}");
+    assert!(told.contains("there is no dimension `crank`"), "{told}");
 }
 
 /// The circuit of a crank that turns round: the rocker swings, the motor never turns back.

@@ -75,10 +75,12 @@ pub struct Options {
 /// # Ok::<(), kin::Error>(())
 /// ```
 ///
-/// Errors: those of [`System::position`]; a dimension or measure that does not exist.
+/// Errors: those of [`System::position`]; a dimension or measure that does not exist or is named
+/// twice.
 /// [`Error::CannotEmit`]: Kin does not know a law or an equation as a formula; equations are
 /// redundant.
 pub fn c(system: &System, options: &Options) -> Result<String> {
+    check_names(system, options)?;
     let way = Way::new(system, options.t0)?;
     let driven = way.system(system);
     let drivers = way.drivers(system);
@@ -287,6 +289,23 @@ impl LawFunction for DriverLaw {
 
     fn kind(&self) -> &str {
         "driver"
+    }
+}
+
+/// Returns an error if a free dimension does not exist, or if a name appears twice.
+fn check_names(system: &System, options: &Options) -> Result<()> {
+    let lists = [("free dimensions", &options.free), ("measures", &options.measures)];
+    for (what, names) in lists {
+        let again = (1..names.len()).find(|k| names[..*k].contains(&names[*k]));
+        if let Some(k) = again {
+            let reason = format!("the {what} name `{}` twice. Remove one of the two", names[k]);
+            return Err(Error::InvalidOptions { reason });
+        }
+    }
+    let known: Vec<String> = system.dimensions().into_iter().map(|(name, _)| name).collect();
+    match options.free.iter().find(|name| !known.contains(name)) {
+        Some(name) => Err(Error::UnknownName { what: "dimension", name: name.clone(), known }),
+        None => Ok(()),
     }
 }
 

@@ -5,6 +5,9 @@ use std::fmt::Write;
 use super::c::{Printer, Sample, Symbol, rows};
 use super::vector::{Inputs, memory};
 
+/// A list of a sample.
+type OfSample = fn(&Sample) -> Vec<f64>;
+
 /// Offsets of a test vector in units of the sizes: irregular, so that no two terms cancel.
 fn irregular(k: usize) -> f64 {
     0.03 * ((k as f64 * 0.618_033_988_749_895).fract() + 0.25)
@@ -66,16 +69,16 @@ impl Printer<'_> {
             tables(&format!("of_{name}"), numbers);
         }
         let count = sheet.samples.len();
-        let lists: [(&str, fn(&Sample) -> &Vec<f64>); 6] = [
-            ("path_u", |sample| &sample.u),
-            ("path_ud", |sample| &sample.ud),
-            ("path_udd", |sample| &sample.udd),
-            ("path_q", |sample| &sample.q),
-            ("path_qd", |sample| &sample.qd),
-            ("path_qdd", |sample| &sample.qdd),
+        let lists: [(&str, OfSample); 6] = [
+            ("path_u", |sample| sample.u.clone()),
+            ("path_ud", |sample| sample.ud.clone()),
+            ("path_udd", |sample| sample.udd.clone()),
+            ("path_q", |sample| sample.q.clone()),
+            ("path_qd", |sample| sample.qd.clone()),
+            ("path_qdd", |sample| sample.qdd.clone()),
         ];
         for (name, of) in lists {
-            let all: Vec<f64> = sheet.samples.iter().flat_map(of).copied().collect();
+            let all: Vec<f64> = sheet.samples.iter().flat_map(of).collect();
             tables(name, &all);
         }
         text += &self.comparisons(&fields, (torn.len(), count));
