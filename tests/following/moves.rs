@@ -175,7 +175,7 @@ fn judge(linkage: &Linkage, seed: u64, counts: &mut Counts) {
             let off = apart(&end, motion.q(TIMES - 1));
             counts.worst = counts.worst.max(off);
             assert!(off < 1e-7, "{}: off the branch by {off:e}", place());
-            if seed % 16 == 0 {
+            if seed.is_multiple_of(16) {
                 by_small_steps(linkage, &to, &end, &place());
                 counts.by_steps += 1;
             }
