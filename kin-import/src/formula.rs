@@ -245,6 +245,8 @@ mod tests {
         assert_eq!(at("\"a remark (of T1\"<n>1.5e-1d*arctan(1000*(time - 2))<n>", 2.0), 0.0);
         assert_eq!(at("0*(time - 3) + 1.0e2", 7.0), 100.0);
         assert_eq!(at("time/(2 - 4)/2", 8.0), -2.0);
+        assert_eq!(at("2^time - (-2)^2", 3.0), 4.0);
+        assert_eq!(at("3 - -(-(time - 1))*(-2)", 3.0), 7.0);
         for (text, factor) in [
             ("1.0d-3", 1e-3),
             ("1d+2", 100.0),
