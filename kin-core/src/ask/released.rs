@@ -75,7 +75,8 @@ impl Mechanism {
     /// may have fewer equations than coordinates.
     ///
     /// Errors: those of [`Mechanism::build`], except the one for too few equations; no position
-    /// satisfies the equations ([`CannotBeDriven`](crate::error::FailureKind::CannotBeDriven), with the diagnosis).
+    /// satisfies the equations
+    /// ([`CannotBeDriven`](crate::error::FailureKind::CannotBeDriven), with the diagnosis).
     pub fn released(&self, t0: f64) -> Result<Released> {
         self.clone().system()?.released(t0)
     }

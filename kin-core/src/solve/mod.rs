@@ -11,8 +11,8 @@
 //!   with more.
 //! * `run`, `compiled`, `whole_run`: one time after the other, many times with the compiled
 //!   program, and a run with either engine.
-//! * `sweep`, `circuit`, `free`: many runs, a curve of positions, and a surface of positions with the
-//!   way on it towards wishes.
+//! * `sweep`, `circuit`, `free`: many runs, a curve of positions, and a surface of positions with
+//!   the way on it towards wishes.
 
 #[macro_use]
 mod setters;
