@@ -104,7 +104,32 @@ fn judge(case: &Case, motion: &Motion, step: &StepProof, tube: &Tube) {
             "{}: the other assembly is in the tube",
             name()
         );
+        let between = |k: usize| {
+            let d = pose[k] - other[k];
+            if k % 3 == 2 { (d + PI).rem_euclid(TAU) - PI } else { d }.abs()
+        };
+        assert!(
+            (0..9).any(|k| between(k) > tube.free[k]),
+            "{}: the other assembly is where nothing else is said to be",
+            name()
+        );
     }
+}
+
+/// A step of nearly half a turn is proved in pieces, and what is interpolated over it is far from
+/// the motion. Whatever else is near is still at a positive distance from the motion.
+#[test]
+fn the_free_distance_of_a_step_in_many_pieces_is_positive() {
+    let bar = FourBar { driven: 1.0, next: 3.5, last: 3.0, ground: 4.0, by_coupler: false };
+    let (system, _) = bar.system(Law::linear(0.3, 1.0), 0.3, 1.0).expect("builds");
+    let motion = system.run([0.0, 3.0]).expect("runs");
+    let proof = system.prove(&motion).expect("can be proved");
+    assert!(proof.is_complete(), "{proof}");
+    let tube = proof.steps()[0].tube.as_ref().expect("is proved");
+    assert!(tube.free.iter().all(|free| *free > 0.0), "{:?}", tube.free);
+    assert!(tube.radius.iter().zip(&tube.alone).any(|(radius, alone)| radius > alone));
+    let text = proof.to_string();
+    assert!(!text.contains("within -"), "{text}");
 }
 
 #[test]

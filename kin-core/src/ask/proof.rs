@@ -130,6 +130,8 @@ pub struct Tube {
     pub radius: Vec<f64>,
     /// The distance from the interpolated position within which no other solution exists.
     pub alone: Vec<f64>,
+    /// The distance from the solution within which no other solution exists at the same time.
+    pub free: Vec<f64>,
 }
 
 /// An obstacle to a proof, and its time.
@@ -293,7 +295,7 @@ impl System {
 
 impl From<Around> for Tube {
     fn from(around: Around) -> Self {
-        Tube { radius: around.inner, alone: around.outer }
+        Tube { radius: around.inner, alone: around.outer, free: around.free }
     }
 }
 

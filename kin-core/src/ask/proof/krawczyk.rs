@@ -13,6 +13,16 @@ pub(super) struct Around {
     pub inner: Vec<f64>,
     /// No other solution exists within this distance.
     pub outer: Vec<f64>,
+    /// No other solution exists within this distance of the solution, at any one time.
+    pub free: Vec<f64>,
+}
+
+impl Around {
+    /// Creates the bounds of one interval of time.
+    pub(super) fn new(inner: Vec<f64>, outer: Vec<f64>) -> Self {
+        let free = outer.iter().zip(&inner).map(|(outer, inner)| down(outer - inner)).collect();
+        Around { inner, outer, free }
+    }
 }
 
 /// The reason why the test failed.
@@ -88,7 +98,8 @@ impl Test<'_> {
         let scaled = |y: &[f64], outwards: fn(f64) -> f64| {
             y.iter().zip(self.sizes).map(|(y, size)| outwards(y * size)).collect()
         };
-        Ok(Around { inner: scaled(&inner, up), outer: scaled(&vec![radius; inner.len()], down) })
+        let inner = scaled(&inner, up);
+        Ok(Around::new(inner, scaled(&vec![radius; self.sizes.len()], down)))
     }
 
     /// Returns the frame at the middle, or `None` if C_q has no inverse or is not finite.
@@ -221,7 +232,7 @@ mod tests {
         ] {
             let found = around([1.0, 1.0], [0.0, 0.0], sizes);
             assert_eq!(found.is_ok(), proved, "{sizes:?}: {found:?}");
-            if let Ok(Around { inner, outer }) = found {
+            if let Ok(Around { inner, outer, .. }) = found {
                 let near = |x: f64, y: f64| (x - y).abs() < 1e-9 * y;
                 assert!(
                     near(outer[0], LEAST * sizes[0])

@@ -176,6 +176,7 @@ impl Around {
     fn with(mut self, other: &Around) -> Around {
         self.inner.iter_mut().zip(&other.inner).for_each(|(a, b)| *a = a.max(*b));
         self.outer.iter_mut().zip(&other.outer).for_each(|(a, b)| *a = a.min(*b));
+        self.free.iter_mut().zip(&other.free).for_each(|(a, b)| *a = a.min(*b));
         self
     }
 }
@@ -187,7 +188,7 @@ mod tests {
     use crate::{Law, Mechanism};
 
     fn around<const N: usize>(inner: [f64; N], outer: [f64; N]) -> Around {
-        Around { inner: inner.to_vec(), outer: outer.to_vec() }
+        Around::new(inner.to_vec(), outer.to_vec())
     }
 
     /// The solution of one has to lie where the other one has no second: in all coordinates, with

@@ -4,7 +4,6 @@ use std::fmt;
 
 use super::{Proof, Tube, Unproved, UnprovedReason};
 use crate::coordinates::units::Unit;
-use crate::numbers::enclosure::interval::down;
 use crate::outcome::words::{count, joined, time};
 
 /// Writes the verdict, and the first step without a proof.
@@ -41,12 +40,10 @@ pub(super) fn proof(proof: &Proof, f: &mut fmt::Formatter<'_>) -> fmt::Result {
     let largest = |tubes: &[&Tube]| {
         sizes(proof, &|k| tubes.iter().fold(0.0, |m, tube| tube.radius[k].max(m)), f64::max, above)
     };
-    // The free distance of one step; the radii of other steps do not matter.
-    let free = |tube: &Tube, k: usize| down(tube.alone[k] - tube.radius[k]);
     let least = |tubes: &[&Tube]| {
         sizes(
             proof,
-            &|k| tubes.iter().fold(f64::INFINITY, |m, tube| free(tube, k).min(m)),
+            &|k| tubes.iter().fold(f64::INFINITY, |m, tube| tube.free[k].min(m)),
             f64::min,
             below,
         )
@@ -154,9 +151,11 @@ mod tests {
     use crate::ask::proof::StepProof;
     use crate::coordinates::units::Units;
     use crate::model::blame::Source;
+    use crate::numbers::enclosure::interval::down;
 
     fn tube(radius: [f64; 3], alone: [f64; 3]) -> Tube {
-        Tube { radius: radius.to_vec(), alone: alone.to_vec() }
+        let free = alone.iter().zip(radius).map(|(alone, radius)| down(alone - radius)).collect();
+        Tube { radius: radius.to_vec(), alone: alone.to_vec(), free }
     }
 
     fn doubt(t: f64, reason: UnprovedReason) -> Unproved {
