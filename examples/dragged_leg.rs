@@ -21,7 +21,7 @@ fn main() -> kin::Result<()> {
     let system = Mechanism::read_json(file, &Registry::new())?.build()?;
     let circuit = system.circuit("motor", 361)?;
     let shin = circuit.motion().planar_named("shin").expect("a body of this name");
-    let foot = vec2(0.0355, -0.0337);
+    let foot = vec2(-0.016208, -0.046242);
     let path = circuit.motion().point(shin, foot)?;
 
     // 2. The hand goes round beside the foot's curve, in 3600 small pulls.

@@ -66,7 +66,7 @@ INSTEAD = {
     "System": {
         "check_columns": "`kin.sweep`", "constraint_names": "constraints", "coordinate_names": "names",
         "coordinate_units": "units", 
-        "equation_names": "equations", 
+        "equation_names": "equations", "follower_given": "follower(given=…)",
         "link_length": "parameters", "load_names": "loads",
         "n_coordinates": "`len(system.names)`", "n_equations": "`len(system.equations)`",
         "solve_at": "position(t, q)", "solver": "keywords of each call",
