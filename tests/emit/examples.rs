@@ -6,7 +6,7 @@ use kin::prelude::*;
 use kin::solver::Follower;
 
 use crate::own;
-use crate::programs::{CHECKED, compiled, there_is_a_compiler};
+use crate::programs::{checks, compiled, there_is_a_compiler};
 
 pub fn system(path: &std::path::Path) -> System {
     let registry = Registry::new()
@@ -96,7 +96,7 @@ impl Library<'_> {
 
 /// Compares a compiled file with the library along random steps.
 fn compare(name: &str, system: &System, text: &str, steps: usize) {
-    let flags: &[&str] = if WITH_CHECKS.contains(&name) { &CHECKED } else { &[] };
+    let flags: &[&str] = if WITH_CHECKS.contains(&name) { checks() } else { &[] };
     let program =
         compiled(name, text, flags).unwrap_or_else(|messages| panic!("{name}: {messages}"));
     assert_eq!(program.selftest(), "0", "{name}");

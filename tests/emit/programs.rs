@@ -12,7 +12,24 @@ const MAIN: &str = include_str!("program.c");
 pub const FLAGS: [&str; 6] = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-pedantic", "-O0"];
 
 /// Flags with which a program stops at an error of memory or of arithmetic.
-pub const CHECKED: [&str; 3] = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+const CHECKED: [&str; 3] = ["-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"];
+
+/// Returns the flags with which a program stops at an error of memory or of arithmetic. Returns
+/// none, and prints it, if this machine cannot run such a program.
+pub fn checks() -> &'static [&'static str] {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("emit/checks");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    std::fs::write(folder.join("main.c"), "int main(void) { return 0; }\n").expect("written");
+    let mut compile = Command::new("cc");
+    compile.args(CHECKED).args(["main.c", "-o", "program"]).current_dir(&folder);
+    let is_made = compile.output().is_ok_and(|out| out.status.success());
+    let runs = || Command::new(folder.join("program")).output();
+    if is_made && runs().is_ok_and(|out| out.status.success()) {
+        return &CHECKED;
+    }
+    println!("NOT RUN: the sanitizers of the C compiler");
+    &[]
+}
 
 /// Returns true if there is a C compiler; otherwise prints that the test does not run.
 pub fn there_is_a_compiler() -> bool {
