@@ -142,18 +142,18 @@ fn house() -> House {
     House::read("kin-core/src")
 }
 
-#[test]
-fn imports_go_down() {
-    let house = house();
+/// Returns the imports from a room with a smaller number into one with a larger number.
+fn upward(house: &House, room: impl Fn(&Module) -> Option<usize>) -> Vec<String> {
     let up = |(from, to): &(&Module, &Module)| {
         room(from).zip(room(to)).is_some_and(|(from, to)| from < to)
     };
-    let found: Vec<String> = house
-        .edges()
-        .into_iter()
-        .filter(up)
-        .map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/")))
-        .collect();
+    let found = house.edges().into_iter().filter(up);
+    found.map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/"))).collect()
+}
+
+#[test]
+fn imports_go_down() {
+    let found = upward(&house(), room);
     assert!(found.is_empty(), "these import from a room above their own: {found:#?}");
 }
 
@@ -166,15 +166,7 @@ fn room_of_solve(module: &Module) -> Option<usize> {
 #[test]
 fn imports_of_the_solver_go_down() {
     let house = house();
-    let up = |(from, to): &(&Module, &Module)| {
-        room_of_solve(from).zip(room_of_solve(to)).is_some_and(|(from, to)| from < to)
-    };
-    let found: Vec<String> = house
-        .edges()
-        .into_iter()
-        .filter(up)
-        .map(|(from, to)| format!("{} -> {}", from.join("/"), to.join("/")))
-        .collect();
+    let found = upward(&house, room_of_solve);
     assert!(found.is_empty(), "these import from a room above their own: {found:#?}");
     let homeless: Vec<String> = house
         .files
