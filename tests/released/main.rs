@@ -253,6 +253,23 @@ fn every_example_is_dragged() {
     assert!(back > 20, "{back}");
 }
 
+/// A dimension that is set a thousand times larger is followed, and wishes are met at its scale.
+#[test]
+fn a_dimension_is_set_while_the_mechanism_is_released() {
+    let mut m = Mechanism::new("crank and slider");
+    let length = m.dimension("length", 0.5).unwrap();
+    let crank = m.link("crank", length).unwrap();
+    m.add("O", revolute(Ground, crank, vec2(0.0, 0.0), crank.start())).unwrap();
+    let mut released = m.released(0.0).unwrap();
+    released.set("length", 500.0).unwrap();
+    let to = vec2(300.0, 400.0);
+    let reached = released.drag(crank, (250.0, 0.0), to).unwrap();
+    assert!(reached.wishes[0].is_met, "{reached:?}");
+    assert!((released.coordinate("crank.theta").unwrap() - 0.8_f64.asin()).abs() < 1e-9);
+    assert!(released.set("length", -1.0).is_err());
+    assert!(reached == released.drag(crank, (250.0, 0.0), to).unwrap());
+}
+
 #[test]
 fn mistakes_leave_it_where_it_was() {
     let (m, links) = arm(&[0.5, 0.4], &[0.4, 1.2]);
@@ -263,6 +280,7 @@ fn mistakes_leave_it_where_it_was() {
         Wish::measure("no such", 0.1),
         Wish::hold("no such"),
         Wish::measure("link 0.theta", f64::NAN),
+        Wish::measure("link 0.theta", f64::INFINITY),
         Wish::point(links[1], links[1].end(), vec2(f64::INFINITY, 0.0)),
         Wish::point(stranger, vec2(0.0, 0.0), vec2(0.0, 0.0)),
     ];

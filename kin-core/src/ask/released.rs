@@ -204,6 +204,8 @@ impl Released {
     pub fn set(&mut self, name: &str, value: f64) -> Result<()> {
         let before = self.clone();
         self.system.set(name, value)?;
+        self.measures = Arc::new(self.system.model().measure(&self.q, self.t0));
+        self.basis = None;
         let is_settled = self.settle();
         if is_settled.is_err() {
             *self = before;
@@ -274,11 +276,7 @@ impl Released {
     fn bounds(&self, limits: &[Limit]) -> Result<Vec<Bound>> {
         let at = (self.t0, &self.q[..]);
         let bound = |limit: &Limit| {
-            let (goal, _) = Wish::measure(&limit.name, limit.ends[0]).named(
-                &self.system,
-                at,
-                &self.measures,
-            )?;
+            let goal = wish::named(&self.system, at, &self.measures, &limit.name)?;
             Ok(Bound { goal, ends: limit.ends })
         };
         limits.iter().map(bound).collect()

@@ -134,41 +134,17 @@ impl Wish {
                 let body = body.target(system)?;
                 point(system, at, measures, &body, [local, target])
             }
-            _ => self.named(system, at, measures),
-        }
-    }
-
-    /// Returns the goal of a measure or coordinate, and its target.
-    pub(super) fn named(
-        &self,
-        system: &System,
-        at: (f64, &[f64]),
-        measures: &Measures,
-    ) -> Result<(Goal, Vec<f64>)> {
-        let (name, value) = match &self.what {
-            What::Value { name, value } => (name, Some(*value)),
-            What::Hold { name } => (name, None),
-            What::Point { .. } => return Err(system.no_measure("")),
-        };
-        let model = system.model();
-        let (wanted, scale) = if let Some(place) = system.place_of(name) {
-            let turns = place.measured.turns;
-            let wanted = Wanted::Measure { block: place.block, number: place.number, turns };
-            (
-                wanted,
-                if place.measured.unit == "m" { typical_length(system, measures) } else { 1.0 },
-            )
-        } else {
-            let names = system.coordinate_names();
-            let column = names.iter().position(|known| known == name);
-            let column = column.ok_or_else(|| system.no_measure(name))?;
-            (Wanted::Coordinate(column), measures.sizes[column])
-        };
-        let goal = Goal::new(&model, at.0, at.1, wanted, scale);
-        let target = value.map_or_else(|| goal.start.clone(), |value| vec![value]);
-        match target.iter().find(|value| value.is_nan()) {
-            Some(value) => Err(not_finite(name, *value)),
-            None => Ok((goal, target)),
+            What::Value { name, value } => {
+                if !value.is_finite() {
+                    return Err(not_finite(name, *value));
+                }
+                Ok((named(system, at, measures, name)?, vec![*value]))
+            }
+            What::Hold { name } => {
+                let goal = named(system, at, measures, name)?;
+                let target = goal.start.clone();
+                Ok((goal, target))
+            }
         }
     }
 
@@ -210,6 +186,26 @@ impl fmt::Display for Granted {
             write!(f, "`{name}` is missed by {} {unit}", time(*missed))
         }
     }
+}
+
+/// Returns a measure of a joint or a coordinate at a time and position, as a goal.
+pub(super) fn named(
+    system: &System,
+    (t, q): (f64, &[f64]),
+    measures: &Measures,
+    name: &str,
+) -> Result<Goal> {
+    let (wanted, scale) = if let Some(place) = system.place_of(name) {
+        let turns = place.measured.turns;
+        let wanted = Wanted::Measure { block: place.block, number: place.number, turns };
+        (wanted, if place.measured.unit == "m" { typical_length(system, measures) } else { 1.0 })
+    } else {
+        let names = system.coordinate_names();
+        let column = names.iter().position(|known| known == name);
+        let column = column.ok_or_else(|| system.no_measure(name))?;
+        (Wanted::Coordinate(column), measures.sizes[column])
+    };
+    Ok(Goal::new(&system.model(), t, q, wanted, scale))
 }
 
 fn point(

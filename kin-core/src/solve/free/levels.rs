@@ -175,7 +175,7 @@ mod tests {
         assert!((y[0] - 0.5).abs() < 1e-15 && free.ncols() == 0);
     }
 
-    /// Of all steps that serve a wish the shortest is taken.
+    /// If many steps serve a wish, `step` returns the shortest one.
     #[test]
     fn the_step_is_the_shortest() {
         let (y, _) = step(&[&level(&[5.0], &[3.0, 4.0])], 2, 0.0);
